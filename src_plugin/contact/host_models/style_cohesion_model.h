@@ -1,0 +1,1 @@
+// No cohesion: see style_surface_model.h.

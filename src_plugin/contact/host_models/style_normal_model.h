@@ -1,0 +1,1 @@
+// The linear law stands in contact/model_linear.h as a whole contact model.

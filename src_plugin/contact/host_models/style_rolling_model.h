@@ -1,0 +1,1 @@
+#include "rolling_model_epsd2.h"

@@ -1,0 +1,2 @@
+// Models the host's templates are instantiated with here; the host's own lists are not shipped.
+#include "surface_model_default.h"

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/vec3.h"
+
+namespace encased_column {
+
+/// Radius [m] that turns a normal force into a rolling resistance: r_i r_j / (r_i + r_j) between
+/// grains, the grain's radius against a wall.
+inline double rolling_radius(double r_i, double r_j)
+{
+  return r_i * r_j / (r_i + r_j);
+}
+
+/// Elastic-plastic rolling resistance without viscous part, the host's `epsd2`: advances the
+/// torque [N m] that resists the rolling of i on j and returns the energy the plastic part took in
+/// this step [J].
+///
+/// Spring k_r = k_t r^2, limit mu_r F_n r, both with r = rolling_radius(). `spin` [rad/s] is
+/// w_i - w_j; its part along the normal `n` (twist) is not resisted.
+/// Source: Ai, Chen, Rotter, Ooi (2011), Powder Technology 206, 269-282, model C; Iwashita and Oda
+/// (1998), J. Eng. Mech. 124, 285-292, for the spring.
+inline double advance_rolling_torque(double shear_stiffness, double friction, double r,
+                                     double normal_force, const Vec3& spin, const Vec3& n,
+                                     double dt, Vec3& torque)
+{
+  const double stiffness = shear_stiffness * r * r;
+  const Vec3 turn = (spin - spin.dot(n) * n) * dt;
+  const Vec3 trial = torque + stiffness * turn;
+  const double limit = friction * normal_force * r;
+  const double size = trial.norm();
+  if (size <= limit) {
+    torque = trial;
+    return 0.0;
+  }
+  const Vec3 kept = trial * (limit / size);
+  const double loss = 0.5 * (torque + kept).dot(trial - kept) / stiffness;
+  torque = kept;
+  return loss;
+}
+
+}  // namespace encased_column

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace encased_column {
+
+/// Input the user can mend: one sentence with the keyword, the rule, the value found and what to
+/// write. Kernels and readers throw it; each adapter catches it once and ends the run with it.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// `x` as a user would write it: shortest form of six digits, "1e-05" and not "0.000010".
+std::string in_words(double x);
+
+}  // namespace encased_column

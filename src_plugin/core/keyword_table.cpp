@@ -1,0 +1,168 @@
+#include "core/keyword_table.h"
+
+#include "core/input_error.h"
+#include "core/read_number.h"
+
+#include <algorithm>
+
+namespace encased_column {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& keyword, const std::string& rule, double value)
+{
+  throw InputError("'" + keyword + "' must be " + rule + ", found " + in_words(value));
+}
+
+double require_positive(const std::string& keyword, double value)
+{
+  if (!(value > 0.0)) refuse(keyword, "larger than zero", value);
+  return value;
+}
+
+double require_between(const std::string& keyword, double low, double high, double value)
+{
+  if (!(value >= low && value <= high))
+    refuse(keyword, "between " + in_words(low) + " and " + in_words(high), value);
+  return value;
+}
+
+std::string list_of(const std::vector<std::string>& words)
+{
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
+}  // namespace
+
+const std::vector<std::vector<std::string>>& Options::all(const std::string& keyword) const
+{
+  const auto entry = found_.find(keyword);
+  if (entry == found_.end())
+    throw InputError("keyword '" + keyword + "' is missing, add '" + keyword + " ...'");
+  return entry->second;
+}
+
+std::string Options::word(const std::string& keyword) const
+{
+  return all(keyword).front().front();
+}
+
+std::string Options::word(const std::string& keyword, const std::string& otherwise) const
+{
+  return has(keyword) ? word(keyword) : otherwise;
+}
+
+double Options::number(const std::string& keyword) const
+{
+  return read_number(keyword, word(keyword));
+}
+
+double Options::number(const std::string& keyword, double otherwise) const
+{
+  return has(keyword) ? number(keyword) : otherwise;
+}
+
+double Options::positive(const std::string& keyword) const
+{
+  return require_positive(keyword, number(keyword));
+}
+
+double Options::positive(const std::string& keyword, double otherwise) const
+{
+  return has(keyword) ? positive(keyword) : otherwise;
+}
+
+double Options::not_negative(const std::string& keyword, double otherwise) const
+{
+  const double value = number(keyword, otherwise);
+  if (!(value >= 0.0)) refuse(keyword, "zero or larger", value);
+  return value;
+}
+
+double Options::between(const std::string& keyword, double low, double high) const
+{
+  return require_between(keyword, low, high, number(keyword));
+}
+
+double Options::between(const std::string& keyword, double low, double high,
+                        double otherwise) const
+{
+  return require_between(keyword, low, high, number(keyword, otherwise));
+}
+
+long Options::integer(const std::string& keyword, long low) const
+{
+  const long value = read_integer(keyword, word(keyword));
+  if (value < low)
+    refuse(keyword, std::to_string(low) + " or larger", static_cast<double>(value));
+  return value;
+}
+
+long Options::integer(const std::string& keyword, long low, long otherwise) const
+{
+  return has(keyword) ? integer(keyword, low) : otherwise;
+}
+
+Vec3 Options::vector(const std::string& keyword) const
+{
+  const std::vector<std::string>& words = all(keyword).front();
+  return Vec3(read_number(keyword, words.at(0)), read_number(keyword, words.at(1)),
+              read_number(keyword, words.at(2)));
+}
+
+std::string Options::choice(const std::string& keyword,
+                            const std::vector<std::string>& allowed) const
+{
+  const std::string value = word(keyword);
+  if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
+    throw InputError("'" + keyword + "' must be one of: " + list_of(allowed) + "; found '" +
+                     value + "'");
+  return value;
+}
+
+std::string Options::choice(const std::string& keyword, const std::vector<std::string>& allowed,
+                            const std::string& otherwise) const
+{
+  return has(keyword) ? choice(keyword, allowed) : otherwise;
+}
+
+std::string KeywordTable::names() const
+{
+  std::vector<std::string> names;
+  for (const Keyword& keyword : keywords_) names.push_back(keyword.name);
+  return list_of(names);
+}
+
+Options KeywordTable::read(const std::vector<std::string>& words) const
+{
+  Options options;
+  std::size_t next = 0;
+  while (next < words.size()) {
+    const std::string& name = words[next++];
+    const auto keyword = std::find_if(keywords_.begin(), keywords_.end(),
+                                      [&](const Keyword& k) { return k.name == name; });
+    if (keyword == keywords_.end())
+      throw InputError("unknown keyword '" + name + "', expected one of: " + names());
+    if (options.has(name) && !keyword->repeats)
+      throw InputError("keyword '" + name + "' stands twice, write it once");
+    const std::size_t wanted = keyword->values;
+    if (words.size() - next < wanted)
+      throw InputError("keyword '" + name + "' takes " + std::to_string(wanted) +
+                       (wanted == 1 ? " value" : " values") + ", found " +
+                       std::to_string(words.size() - next) + ", add what is missing: " +
+                       keyword->meaning);
+    const auto first = words.begin() + static_cast<long>(next);
+    options.found_[name].emplace_back(first, first + static_cast<long>(wanted));
+    next += wanted;
+  }
+  return options;
+}
+
+Options KeywordTable::read(int narg, char** arg, int skip) const
+{
+  return read(std::vector<std::string>(arg + std::min(skip, narg), arg + narg));
+}
+
+}  // namespace encased_column

@@ -1,0 +1,12 @@
+#pragma once
+
+// The templates with which the host builds granular pair styles and walls, in the order in which
+// they compile.
+#include "host/host_types.h"
+
+#include "global_properties.h"
+#include "fix_insert_stream.h"
+#include "settings.h"
+
+#include "pair_gran_base.h"
+#include "fix_wall_gran_base.h"

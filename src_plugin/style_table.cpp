@@ -1,0 +1,22 @@
+#include "style_table.h"
+
+#include "host/granular_host.h"
+
+#include "contact/model_linear.h"
+
+namespace encased_column {
+
+const std::vector<Style>& style_table()
+{
+  static const std::vector<Style> table{
+  };
+  return table;
+}
+
+void register_contact_models()
+{
+  register_linear_model<LIGGGHTS::ContactModels::ROLLING_OFF>();
+  register_linear_model<LIGGGHTS::ContactModels::ROLLING_EPSD2>();
+}
+
+}  // namespace encased_column

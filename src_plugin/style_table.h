@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/keyword_table.h"
+#include "host/host_types.h"
+
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace encased_column {
+
+using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
+using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
+
+/// How the host makes an object of a style, and the keywords it reads.
+struct Maker {
+  std::variant<FixCreator, CommandCreator> create;
+  const KeywordTable* keywords;
+};
+
+/// One style of the plugin: the name a deck writes and what stands behind it.
+struct Style {
+  std::string name;
+  Maker maker;
+};
+
+/// A fix is made and kept by the host; a command is made, run and gone.
+template <typename T>
+Maker make()
+{
+  if constexpr (std::is_base_of_v<LAMMPS_NS::Fix, T>) {
+    return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
+              return new T(lmp, narg, arg);
+            }),
+            &T::keywords};
+  } else {
+    return {CommandCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
+              T(lmp).command(narg, arg);
+            }),
+            &T::keywords};
+  }
+}
+
+/// Every fix and command of the plugin.
+const std::vector<Style>& style_table();
+
+/// Enters the contact models into the host's factories; once per process.
+void register_contact_models();
+
+}  // namespace encased_column
