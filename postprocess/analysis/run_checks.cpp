@@ -1,0 +1,74 @@
+#include "analysis/run_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace encased_column {
+
+namespace {
+
+double largest_departure(const std::vector<double>& values, double target, std::size_t first)
+{
+  double largest = 0.0;
+  for (std::size_t i = first; i < values.size(); ++i)
+    largest = std::max(largest, std::abs(values[i] / target - 1.0));
+  return largest;
+}
+
+double largest_magnitude(const std::vector<double>& values)
+{
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+double relative_difference(double top, double bottom)
+{
+  const double mean = 0.5 * (top + bottom);
+  return mean == 0.0 ? 0.0 : (top - bottom) / mean;
+}
+
+}  // namespace
+
+double platen_difference(const ShearRecord& record)
+{
+  const std::vector<double> top =
+      SampledCurve(record.axial_strain, record.stress_top).window_means(check_averaging_width);
+  const std::vector<double> bottom =
+      SampledCurve(record.axial_strain, record.stress_bottom).window_means(check_averaging_width);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < top.size(); ++i)
+    largest = std::max(largest, std::abs(relative_difference(top[i], bottom[i])));
+  return largest;
+}
+
+std::vector<double> platen_differences(const ShearRecord& record)
+{
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < record.stress_top.size(); ++i)
+    differences.push_back(relative_difference(record.stress_top[i], record.stress_bottom[i]));
+  return differences;
+}
+
+std::vector<Check> run_checks(const ShearRecord& record, bool platens_must_agree)
+{
+  const double sigma3 = record.target_confining_stress;
+  const std::vector<double> confining_means =
+      SampledCurve(record.axial_strain, record.confining_stress)
+          .window_means(check_averaging_width);
+  return {
+      // The first row is the state the shear stage finds, not one it made.
+      {"confining stress held, every sample", largest_departure(record.confining_stress, sigma3, 1),
+       0.01, true},
+      {"confining stress held, averages over 1 % strain",
+       largest_departure(confining_means, sigma3, 0), 0.01, true},
+      {"top and bottom platen stress equal, averages over 1 % strain", platen_difference(record),
+       0.03, platens_must_agree},
+      {"unbalanced force ratio (average) at the start of shear", record.unbalanced_average.front(),
+       1e-5, true},
+      {"inertial number, largest", largest_magnitude(record.inertial_number), 1e-3, true},
+      {"energy balance error, largest", largest_magnitude(record.energy_error), 0.02, true},
+  };
+}
+
+}  // namespace encased_column
