@@ -3,12 +3,14 @@
 #include "host/granular_host.h"
 
 #include "contact/model_linear.h"
+#include "servo/create_wall_mesh_command.h"
 
 namespace encased_column {
 
 const std::vector<Style>& style_table()
 {
   static const std::vector<Style> table{
+      {"create_wall_mesh", make<CreateWallMeshCommand>()},
   };
   return table;
 }
