@@ -3,14 +3,28 @@
 #include "host/granular_host.h"
 
 #include "contact/model_linear.h"
+#include "dynamics/fix_motion.h"
+#include "dynamics/solve_command.h"
+#include "measure/fix_specimen_history.h"
+#include "packing/create_packing_command.h"
+#include "packing/fix_grow_radius.h"
 #include "servo/create_wall_mesh_command.h"
+#include "servo/fix_servo_cylinder.h"
+#include "servo/fix_servo_platen.h"
 
 namespace encased_column {
 
 const std::vector<Style>& style_table()
 {
   static const std::vector<Style> table{
+      {"create_packing", make<CreatePackingCommand>()},
       {"create_wall_mesh", make<CreateWallMeshCommand>()},
+      {"grow/radius", make<FixGrowRadius>()},
+      {"motion", make<FixMotion>()},
+      {"servo/cylinder", make<FixServoCylinder>()},
+      {"servo/platen", make<FixServoPlaten>()},
+      {"solve", make<SolveCommand>()},
+      {"specimen/history", make<FixSpecimenHistory>()},
   };
   return table;
 }

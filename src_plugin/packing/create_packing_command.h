@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/keyword_table.h"
+#include "host/host_types.h"
+#include "packing/gradation.h"
+#include "packing/placement.h"
+
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+struct PackingSummary;
+
+/// Command `create_packing`: fills a cylinder with the grains of a gradation at reduced radius.
+class CreatePackingCommand : protected LAMMPS_NS::Pointers {
+ public:
+  static const KeywordTable keywords;
+
+  explicit CreatePackingCommand(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
+  void command(int narg, char** arg);
+
+ private:
+  void check_host(const Cylinder& cylinder, int type) const;
+  /// All of a small text file, read by rank 0.
+  std::string read_file(const std::string& file) const;
+  void report(const Gradation& wanted, const std::vector<double>& diameters, double volume,
+              const std::string& file) const;
+  void print(const PackingSummary& summary) const;
+  void create_atoms(const std::vector<Vec3>& centers, const std::vector<double>& radii, int type,
+                    double density);
+  void check_created(std::size_t wanted) const;
+};
+
+}  // namespace encased_column
