@@ -52,6 +52,12 @@ class Options {
 class KeywordTable {
  public:
   KeywordTable(std::initializer_list<Keyword> keywords) : keywords_(keywords) {}
+  /// Keywords that several styles share, followed by a style's own.
+  KeywordTable(const std::vector<Keyword>& shared, std::initializer_list<Keyword> own)
+      : keywords_(shared)
+  {
+    keywords_.insert(keywords_.end(), own.begin(), own.end());
+  }
 
   /// Reads `words`, keyword by keyword; throws InputError at the first it does not know, at a
   /// missing value, and at a keyword that stands twice and may not.

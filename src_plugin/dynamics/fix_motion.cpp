@@ -1,0 +1,279 @@
+#include "dynamics/fix_motion.h"
+
+#include "core/constants.h"
+#include "core/input_error.h"
+#include "dynamics/local_damping.h"
+#include "host/pair_property.h"
+#include "host/rank_sums.h"
+
+#include "memory.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace encased_column {
+
+const KeywordTable FixMotion::keywords{
+    {"damping", 1, "-", "local damping alpha, 0 to below 1 (default 0.7)"},
+    {"step", 1, "s", "`stable`: true masses at the stable step (default); a number: that step, by density scaling"},
+    {"safety", 1, "-", "fraction f of the step sqrt(m/k), 0 to 1 (default 0.8)"},
+    {"every", 1, "steps", "how often stiffness, step and equilibrium are found anew (default 50)"},
+};
+
+FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg)
+{
+  try {
+    const Options options = keywords.read(narg, arg);
+    damping_ = options.between("damping", 0.0, 0.99, 0.7);
+    safety_ = options.between("safety", 0.01, 1.0, 0.8);
+    every_ = static_cast<int>(options.integer("every", 1, 50));
+    const bool given = options.word("step", "stable") != "stable";
+    fixed_step_ = given ? options.positive("step") : 0.0;
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  if (!atom->radius_flag || !atom->rmass_flag)
+    error->fix_error(FLERR, this, "atoms have no radius and mass, use 'atom_style granular'");
+  time_integrate = 1;
+  restart_global = 1;
+  create_attribute = 1;
+  vector_flag = 1;
+  size_vector = 6;
+  global_freq = 1;
+  extvector = 0;
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
+}
+
+FixMotion::~FixMotion()
+{
+  atom->delete_callback(id, 0);
+  memory->destroy(inertia_);
+}
+
+int FixMotion::setmask()
+{
+  using namespace LAMMPS_NS::FixConst;
+  return INITIAL_INTEGRATE | PRE_FORCE | FINAL_INTEGRATE;
+}
+
+void FixMotion::init()
+{
+  try {
+    const PairProperty modulus = read_pair_property(lmp, "contactModulus", 0.0, true);
+    stiffest_material_ = 0.0;
+    for (int i = 1; i <= atom->ntypes; ++i)
+      for (int j = 1; j <= atom->ntypes; ++j)
+        stiffest_material_ = std::max(stiffest_material_, modulus.at(i, j));
+    if (fixed_step_ > 0.0)
+      for (const char* name : {"dampingRatioNormal", "dampingRatioShear"}) {
+        const PairProperty ratio = read_pair_property(lmp, name, 0.0, false, 0.0);
+        for (int i = 1; i <= atom->ntypes; ++i)
+          for (int j = 1; j <= atom->ntypes; ++j)
+            if (ratio.at(i, j) > 0.0)
+              throw InputError(std::string("'") + name +
+                               "' must be 0 with density scaling, found " +
+                               in_words(ratio.at(i, j)) + ", write 'step stable' or no dashpots");
+      }
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  if (fixed_step_ > 0.0) update->dt = fixed_step_;
+  setting_up_ = true;
+}
+
+bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
+{
+  return setting_up_ || step % every_ == 0;
+}
+
+void FixMotion::setup_pre_force(int)
+{
+  setting_up_ = true;
+  collect();
+}
+
+void FixMotion::pre_force(int)
+{
+  if (wants_contacts(update->ntimestep)) collect();
+}
+
+void FixMotion::collect()
+{
+  stiffness_.assign(atom->nlocal, GrainStiffness());
+  contact_force_sum_ = contact_count_ = 0.0;
+}
+
+void FixMotion::add_contact(const Contact& contact)
+{
+  stiffness_[contact.i].add(contact.normal, contact.normal_stiffness, contact.shear_stiffness);
+  if (contact.j >= 0 && contact.j < atom->nlocal)
+    stiffness_[contact.j].add(contact.normal, contact.normal_stiffness, contact.shear_stiffness);
+  contact_force_sum_ += contact.share * contact.force.norm();
+  contact_count_ += contact.share;
+}
+
+// The host sets fixes up in the deck's order, and walls that stand behind this fix add their
+// contacts and forces only then: what `run 0` shows is taken here, what the first step uses is
+// taken at its start.
+void FixMotion::setup(int)
+{
+  set_inertia();
+  weigh_equilibrium();
+}
+
+// A grain that touches little now may touch a wall in the next step: no grain counts as softer
+// than one wall contact makes it.
+void FixMotion::set_inertia()
+{
+  double stable = 1e300, factor = 1.0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double one_contact = pi * atom->radius[i] * stiffest_material_;
+    const double stiffness = std::max(one_contact, stiffness_[i].decisive());
+    inertia_[i] = atom->rmass[i];
+    if (fixed_step_ > 0.0)
+      inertia_[i] = std::max(inertia_[i], mass_for_step(fixed_step_, stiffness, safety_));
+    factor = std::max(factor, inertia_[i] / atom->rmass[i]);
+    stable = std::min(stable, stable_step(inertia_[i], stiffness, safety_));
+  }
+  largest_factor_ = max_over_ranks(factor, world);
+  stable_step_ = min_over_ranks(stable, world);
+  if (fixed_step_ == 0.0 && atom->natoms > 0) update->dt = stable_step_;
+}
+
+void FixMotion::weigh_equilibrium()
+{
+  double sums[4] = {0.0, 0.0, contact_force_sum_, contact_count_};
+  double largest = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double unbalanced = as_vec3(atom->f[i]).norm();
+    sums[0] += unbalanced;
+    sums[1] += 1.0;
+    largest = std::max(largest, unbalanced);
+  }
+  sum_over_ranks(sums, 4, world);
+  largest = max_over_ranks(largest, world);
+  // Without a contact nothing is in equilibrium: the ratio is one, not zero over zero.
+  const double mean_contact = sums[3] > 0.0 ? sums[2] / sums[3] : 0.0;
+  equilibrium_.contacts = sums[3];
+  equilibrium_.average = mean_contact > 0.0 ? sums[0] / sums[1] / mean_contact : 1.0;
+  equilibrium_.maximum = mean_contact > 0.0 ? largest / mean_contact : 1.0;
+}
+
+double FixMotion::kick(int i, double half_step)
+{
+  double* v = atom->v[i];
+  double* w = atom->omega[i];
+  const double* f = atom->f[i];
+  const double* t = atom->torque[i];
+  const double radius = atom->radius[i];
+  const double per_mass = half_step / inertia_[i];
+  const double per_moment = per_mass / (0.4 * radius * radius);
+  double loss = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    loss += half_kick(f[a], damping_, per_mass, half_step, v[a]);
+    loss += half_kick(t[a], damping_, per_moment, half_step, w[a]);
+  }
+  return loss;
+}
+
+void FixMotion::initial_integrate(int)
+{
+  if (setting_up_) {
+    set_inertia();
+    weigh_equilibrium();
+    setting_up_ = false;
+  }
+  const double dt = update->dt;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    loss_ += kick(i, 0.5 * dt);
+    for (int a = 0; a < 3; ++a) atom->x[i][a] += dt * atom->v[i][a];
+  }
+}
+
+void FixMotion::final_integrate()
+{
+  const double half_step = 0.5 * update->dt;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit) loss_ += kick(i, half_step);
+  if (!wants_contacts(update->ntimestep)) return;
+  weigh_equilibrium();
+  set_inertia();
+}
+
+double FixMotion::damping_loss() const
+{
+  return sum_over_ranks(loss_, world);
+}
+
+double FixMotion::compute_vector(int n)
+{
+  switch (n) {
+    case 0: return equilibrium_.average;
+    case 1: return equilibrium_.maximum;
+    case 2: return stable_step_;
+    case 3: return largest_factor_;
+    case 4: return damping_loss();
+    default: return equilibrium_.contacts;
+  }
+}
+
+int FixMotion::modify_param(int narg, char** arg)
+{
+  try {
+    const Options options = keywords.read(narg, arg, 0);
+    damping_ = options.between("damping", 0.0, 0.99, damping_);
+    if (options.has("step") || options.has("safety") || options.has("every"))
+      throw InputError("'fix_modify " + std::string(id) + "' changes 'damping' only, make a new fix for the rest");
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  return narg;
+}
+
+void FixMotion::grow_arrays(int n)
+{
+  memory->grow(inertia_, n, "motion:inertia");
+}
+
+void FixMotion::copy_arrays(int from, int to, int)
+{
+  inertia_[to] = inertia_[from];
+}
+
+void FixMotion::set_arrays(int i)
+{
+  inertia_[i] = atom->rmass[i];
+}
+
+int FixMotion::pack_exchange(int i, double* buffer)
+{
+  buffer[0] = inertia_[i];
+  return 1;
+}
+
+int FixMotion::unpack_exchange(int i, double* buffer)
+{
+  inertia_[i] = buffer[0];
+  return 1;
+}
+
+void FixMotion::write_restart(FILE* file)
+{
+  const double loss = damping_loss();
+  if (comm->me != 0) return;
+  const int size = sizeof(double);
+  fwrite(&size, sizeof(int), 1, file);
+  fwrite(&loss, sizeof(double), 1, file);
+}
+
+void FixMotion::restart(char* buffer)
+{
+  loss_ = comm->me == 0 ? *reinterpret_cast<double*>(buffer) : 0.0;
+}
+
+}  // namespace encased_column

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/keyword_table.h"
+#include "dynamics/stable_step.h"
+#include "host/contact_probe.h"
+
+#include <vector>
+
+namespace encased_column {
+
+/// How far the grains are from equilibrium; see fix_motion.md.
+struct Equilibrium {
+  double average = 0.0;        ///< mean unbalanced over mean contact force [-]
+  double maximum = 0.0;        ///< largest unbalanced over mean contact force [-]
+  double contacts = 0.0;       ///< number of contacts [-]
+};
+
+/// Moves the grains: central differences with local damping, a stable step found from the contact
+/// stiffness of every grain, and density scaling when the deck sets the step.
+class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
+ public:
+  static const KeywordTable keywords;
+
+  FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+  ~FixMotion() override;
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  void pre_force(int) override;
+  void final_integrate() override;
+  int modify_param(int narg, char** arg) override;
+  double compute_vector(int n) override;
+
+  void grow_arrays(int n) override;
+  void copy_arrays(int from, int to, int delete_flag) override;
+  void set_arrays(int i) override;
+  int pack_exchange(int i, double* buffer) override;
+  int unpack_exchange(int i, double* buffer) override;
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+
+  bool wants_contacts(LAMMPS_NS::bigint step) const override;
+  void add_contact(const Contact& contact) override;
+
+  /// As of the last step that `every` divides.
+  const Equilibrium& equilibrium() const { return equilibrium_; }
+  int every() const { return every_; }
+  /// Inertial mass [kg] of grain i.
+  double inertial_mass(int i) const { return inertia_[i]; }
+  /// Work [J] of the local damping on all ranks since the fix was made.
+  double damping_loss() const;
+
+ private:
+  double kick(int i, double half_step);
+  void collect();
+  void set_inertia();
+  void weigh_equilibrium();
+
+  double damping_, safety_, fixed_step_;
+  int every_;
+  double stiffest_material_ = 0.0;  ///< largest E* [Pa]: the stiffness of one contact not seen yet
+  bool setting_up_ = false;
+  double* inertia_ = nullptr;  ///< per grain [kg]
+  std::vector<GrainStiffness> stiffness_;
+  double contact_force_sum_ = 0.0, contact_count_ = 0.0;
+  double loss_ = 0.0;
+  double largest_factor_ = 1.0, stable_step_ = 0.0;
+  Equilibrium equilibrium_;
+};
+
+}  // namespace encased_column

@@ -1,0 +1,95 @@
+#include "dynamics/solve_command.h"
+
+#include "core/input_error.h"
+#include "core/read_number.h"
+#include "dynamics/fix_motion.h"
+
+#include "integrate.h"
+#include "output.h"
+#include "signal_handling.h"
+#include "timer.h"
+
+namespace encased_column {
+
+const KeywordTable SolveCommand::keywords{
+    {"ratio", 2, "-", "which unbalanced force ratio, `average` or `maximum`, and its limit"},
+    {"every", 1, "steps", "how often it is looked at, a multiple of the motion's `every` (default 200)"},
+    {"max", 1, "steps", "after so many the run stops with an error (default 200000)"},
+    {"least", 1, "steps", "at least so many are run (default 0)"},
+};
+
+void SolveCommand::command(int narg, char** arg)
+{
+  std::string which;
+  double limit = 0.0;
+  long every = 0, max = 0, least = 0;
+  FixMotion* motion = nullptr;
+  try {
+    const Options options = keywords.read(narg, arg, 0);
+    which = options.choice("ratio", {"average", "maximum"});
+    limit = read_number("ratio", options.all("ratio").front()[1]);
+    if (!(limit > 0.0))
+      throw InputError("'ratio' takes a limit larger than zero, found " + in_words(limit) +
+                       ", write 'ratio average 1e-5'");
+    every = options.integer("every", 1, 200);
+    max = options.integer("max", 1, 200000);
+    least = options.integer("least", 0, 0);
+    const auto motions = fixes_that_are<FixMotion>(lmp);
+    if (motions.size() != 1)
+      throw InputError("'solve' needs one 'fix motion', found " + std::to_string(motions.size()) +
+                       ", write 'fix move all motion' before it");
+    motion = motions.front();
+    if (every % motion->every() != 0)
+      throw InputError("'every' must be a multiple of the 'every' of fix " +
+                       std::string(motion->id) + ", found " + std::to_string(every) + " and " +
+                       std::to_string(motion->every()));
+  } catch (const InputError& problem) {
+    error->all(FLERR, problem.what());
+  }
+  if (domain->box_exist == 0) error->all(FLERR, "'solve' stands before the box is made, move it behind create_box");
+
+  // As the host's `run`, in pieces of `every` steps with one set-up.
+  update->whichflag = 1;
+  update->nsteps = static_cast<int>(max);
+  update->firststep = update->ntimestep;
+  update->laststep = update->ntimestep + max;
+  update->beginstep = update->firststep;
+  update->endstep = update->laststep;
+  lmp->init();
+  update->integrate->setup();
+  timer->init();
+  timer->barrier_start(TIME_LOOP);
+  long done = 0;
+  double ratio = 1.0;
+  while (done < max && !LAMMPS_NS::SignalHandler::request_quit) {
+    // Pieces end where the motion has just weighed the grains.
+    const long piece = every - update->ntimestep % every;
+    update->integrate->run(static_cast<int>(piece));
+    done += piece;
+    const Equilibrium& e = motion->equilibrium();
+    ratio = which == "average" ? e.average : e.maximum;
+    if (ratio <= limit && done >= least) break;
+  }
+  timer->barrier_stop(TIME_LOOP);
+  update->integrate->cleanup();
+  update->whichflag = 0;
+  update->firststep = update->laststep = 0;
+  update->beginstep = update->endstep = 0;
+
+  report(ratio, limit, which, done);
+  if (ratio > limit && !LAMMPS_NS::SignalHandler::request_quit)
+    error->all(FLERR, ("'ratio' " + which + " " + in_words(limit) + " was not reached in " +
+                       std::to_string(done) + " steps, found " + in_words(ratio) +
+                       ", write a larger 'max' or look at what still moves").c_str());
+}
+
+void SolveCommand::report(double ratio, double limit, const std::string& which, long steps) const
+{
+  if (comm->me != 0) return;
+  for (FILE* out : {screen, logfile})
+    if (out)
+      fprintf(out, "solve: %s unbalanced force ratio %.3g (limit %.3g) after %ld steps\n",
+              which.c_str(), ratio, limit, steps);
+}
+
+}  // namespace encased_column

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/keyword_table.h"
+#include "host/host_types.h"
+
+#include <string>
+
+namespace encased_column {
+
+/// `solve`: runs until the grains are in equilibrium.
+class SolveCommand : private LAMMPS_NS::Pointers {
+ public:
+  static const KeywordTable keywords;
+
+  explicit SolveCommand(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
+  void command(int narg, char** arg);
+
+ private:
+  void report(double ratio, double limit, const std::string& which, long steps) const;
+};
+
+}  // namespace encased_column

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/vec3.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace encased_column {
+
+/// Sums of contact stiffness about one grain, per axis [N/m].
+///
+/// Translation feels k_n n_a^2 + k_t (1 - n_a^2); rotation feels k_t r^2 (1 - n_a^2) against an
+/// inertia of 2/5 m r^2, which is kept here divided by r^2 * 2/5 so that both compare to the mass.
+/// Source: Itasca PFC, "Time-step determination": directional stiffnesses without off-diagonals.
+struct GrainStiffness {
+  Vec3 translation = Vec3::Zero();
+  Vec3 rotation = Vec3::Zero();
+
+  void add(const Vec3& normal, double normal_stiffness, double shear_stiffness)
+  {
+    const Vec3 along = normal.cwiseProduct(normal);
+    const Vec3 across = Vec3::Ones() - along;
+    translation += normal_stiffness * along + shear_stiffness * across;
+    rotation += (shear_stiffness / 0.4) * across;
+  }
+
+  /// The stiffness [N/m] that the grain's mass must be set against.
+  double decisive() const
+  {
+    return std::max(translation.maxCoeff(), rotation.maxCoeff());
+  }
+};
+
+/// Stable step [s] of a mass [kg] on a stiffness [N/m]: f sqrt(m/k).
+///
+/// A chain of equal grains has omega^2 <= 2 k / m with k the sum over its contacts, and central
+/// differences are stable up to 2/omega = sqrt(2 m/k): f below 1 leaves a reserve.
+inline double stable_step(double mass, double stiffness, double safety)
+{
+  return safety * std::sqrt(mass / stiffness);
+}
+
+/// Mass [kg] whose stable step is `dt`: the inverse of stable_step().
+inline double mass_for_step(double dt, double stiffness, double safety)
+{
+  return stiffness * (dt / safety) * (dt / safety);
+}
+
+}  // namespace encased_column

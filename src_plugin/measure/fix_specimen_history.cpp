@@ -1,0 +1,322 @@
+#include "measure/fix_specimen_history.h"
+
+#include "core/input_error.h"
+#include "dynamics/fix_motion.h"
+#include "dynamics/inertial_number.h"
+#include "host/find_fix.h"
+#include "host/gravity.h"
+#include "host/rank_sums.h"
+#include "measure/coordination.h"
+#include "measure/sphere_overlap.h"
+#include "servo/fix_servo_platen.h"
+
+#include <cstring>
+
+namespace encased_column {
+
+const KeywordTable FixSpecimenHistory::keywords{
+    {"platens", 2, "-", "IDs of the upper and the lower `fix servo/platen`"},
+    {"side", 1, "-", "ID of the cylinder or sleeve around the specimen"},
+    {"motion", 1, "-", "ID of the `fix motion` that moves the grains"},
+    {"every", 1, "steps", "how often a row is written (default 200)"},
+    {"file", 1, "-", "name of the CSV file (default history.csv)"},
+    {"reference", 0, "-", "with `fix_modify`: strains, works and losses count from here on"},
+};
+
+namespace {
+
+// One list for header and order of the columns.
+const char* const columns[] = {
+    "step [-]", "axial_strain [-]", "stress_top [Pa]", "stress_bottom [Pa]",
+    "confining_stress [Pa]", "deviatoric_stress_top [Pa]", "deviatoric_stress_bottom [Pa]",
+    "mean_stress [Pa]", "volumetric_strain [-]", "height [m]", "radius [m]", "porosity [-]",
+    "porosity_less_overlap [-]", "coordination_number [-]", "coordination_number_bearing [-]",
+    "radial_strain_25 [-]", "radial_strain_50 [-]", "radial_strain_75 [-]",
+    "unbalanced_average [-]", "unbalanced_maximum [-]", "inertial_number [-]", "work_platens [J]",
+    "work_side [J]", "work_gravity [J]", "energy_elastic [J]", "energy_kinetic [J]",
+    "loss_friction [J]", "loss_rolling [J]", "loss_dashpots [J]", "loss_damping [J]",
+    "energy_error [-]"};
+constexpr int column_count = sizeof(columns) / sizeof(columns[0]);
+
+}  // namespace
+
+FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg)
+{
+  try {
+    const Options options = keywords.read(narg, arg);
+    for (int n = 0; n < 2; ++n) platen_ids_[n] = options.all("platens").front()[n];
+    side_id_ = options.word("side");
+    motion_id_ = options.word("motion");
+    nevery = static_cast<int>(options.integer("every", 1, 200));
+    file_name_ = options.word("file", "history.csv");
+    if (comm->me == 0 && !std::ofstream(file_name_, std::ios::app))
+      throw InputError("'file' must be a file that can be written, found '" + file_name_ +
+                       "', create its folder or give another name");
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  restart_global = 1;
+  vector_flag = 1;
+  size_vector = column_count;
+  global_freq = 1;
+  extvector = 0;
+  row_.assign(column_count, 0.0);
+}
+
+int FixSpecimenHistory::setmask()
+{
+  using namespace LAMMPS_NS::FixConst;
+  return PRE_FORCE | END_OF_STEP;
+}
+
+void FixSpecimenHistory::init()
+{
+  try {
+    top_ = find_fix<FixServoPlaten>(lmp, "platens", platen_ids_[0], "fix servo/platen");
+    bottom_ = find_fix<FixServoPlaten>(lmp, "platens", platen_ids_[1], "fix servo/platen");
+    if (!top_->is_top() || bottom_->is_top())
+      throw InputError("'platens' takes the upper platen first, found '" + platen_ids_[0] + " " +
+                       platen_ids_[1] + "', write the ID of the top and then of the bottom one");
+    side_ = find_fix<SpecimenSide>(lmp, "side", side_id_, "cylinder or sleeve");
+    motion_ = find_fix<FixMotion>(lmp, "motion", motion_id_, "fix motion");
+    if (nevery % motion_->every() != 0)
+      throw InputError("'every' must be a multiple of the 'every' of fix " + motion_id_ +
+                       ", found " + std::to_string(nevery) + " and " +
+                       std::to_string(motion_->every()) + ", write for example 'every " +
+                       std::to_string(4 * motion_->every()) + "'");
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+}
+
+bool FixSpecimenHistory::wants_contacts(LAMMPS_NS::bigint step) const
+{
+  return setting_up_ || step % nevery == 0;
+}
+
+void FixSpecimenHistory::setup_pre_force(int)
+{
+  setting_up_ = true;
+  clear_sums();
+}
+
+void FixSpecimenHistory::pre_force(int)
+{
+  setting_up_ = false;
+  if (wants_contacts(update->ntimestep)) clear_sums();
+}
+
+void FixSpecimenHistory::clear_sums()
+{
+  contacts_of_.assign(atom->nlocal, 0);
+  shared_volume_ = elastic_ = 0.0;
+}
+
+void FixSpecimenHistory::add_contact(const Contact& contact)
+{
+  const double radius = atom->radius[contact.i];
+  ++contacts_of_[contact.i];
+  if (contact.j >= 0 && contact.j < atom->nlocal) ++contacts_of_[contact.j];
+  const double volume =
+      contact.wall ? sphere_cap_volume(radius, contact.length)
+                   : sphere_overlap_volume(radius, atom->radius[contact.j], contact.length);
+  shared_volume_ += contact.share * volume;
+  elastic_ += contact.share * contact.stored_energy;
+}
+
+void FixSpecimenHistory::setup(int)
+{
+  now_ = state();
+}
+
+SpecimenState FixSpecimenHistory::state() const
+{
+  SpecimenState s;
+  const double z_low = bottom_->height(), z_high = top_->height();
+  s.height = z_high - z_low;
+  s.volume = side_->enclosed_volume(z_low, z_high);
+  for (int n = 0; n < 3; ++n) s.radius[n] = side_->radius_at(z_low + 0.25 * (n + 1) * s.height);
+  s.stress_top = top_->stress();
+  s.stress_bottom = bottom_->stress();
+  s.confining_stress = side_->confining_stress();
+  return s;
+}
+
+FixSpecimenHistory::Sums FixSpecimenHistory::sum_up()
+{
+  Sums sums{};
+  const Vec3 gravity = gravity_of(lmp);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double r = atom->radius[i];
+    const double inertia = motion_->inertial_mass(i);
+    sums.grains += 1.0;
+    sums.solid += sphere_volume(r);
+    sums.inertia += inertia;
+    sums.mass += atom->rmass[i];
+    sums.diameter += 2.0 * r * atom->rmass[i];
+    sums.weight_height += atom->rmass[i] * gravity.dot(as_vec3(atom->x[i]));
+    sums.kinetic += 0.5 * inertia *
+                    (as_vec3(atom->v[i]).squaredNorm() +
+                     0.4 * r * r * as_vec3(atom->omega[i]).squaredNorm());
+    if (contacts_of_[i] == 0) sums.without_contact += 1.0;
+    if (contacts_of_[i] == 1) sums.with_one_contact += 1.0;
+    sums.ends += contacts_of_[i];
+  }
+  sums.shared = shared_volume_;
+  sums.elastic = elastic_;
+  sums.friction = contact_losses.friction;
+  sums.rolling = contact_losses.rolling;
+  sums.dashpots = contact_losses.dashpots;
+  sum_over_ranks(&sums.grains, sizeof(Sums) / sizeof(double), world);
+  return sums;
+}
+
+// A grain that left, or a number that is none, must not pass for a result.
+void FixSpecimenHistory::check_grains(const Sums& sums)
+{
+  if (!std::isfinite(sums.kinetic) || !std::isfinite(sums.elastic))
+    error->fix_error(FLERR, this, ("the energy of the grains is not a number at step " +
+                                   std::to_string(update->ntimestep) +
+                                   ", go back to the last restart file with a smaller step").c_str());
+  if (static_cast<LAMMPS_NS::bigint>(sums.grains) != atom->natoms)
+    error->fix_error(FLERR, this, ("of " + std::to_string(atom->natoms) + " grains " +
+                                   std::to_string(static_cast<long>(sums.grains)) + " are left at step " +
+                                   std::to_string(update->ntimestep) +
+                                   ", enlarge the box or slow the walls").c_str());
+  double outside = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double* x = atom->x[i];
+    if (x[2] < bottom_->height() || x[2] > top_->height() || !side_->holds(x)) outside += 1.0;
+  }
+  outside = sum_over_ranks(outside, world);
+  if (outside > 0.0)
+    error->fix_error(FLERR, this, (std::to_string(static_cast<long>(outside)) +
+                                   " grains are outside the walls at step " +
+                                   std::to_string(update->ntimestep) +
+                                   ", slow the walls or raise the contact modulus").c_str());
+}
+
+void FixSpecimenHistory::take_sample()
+{
+  const Sums sums = sum_up();
+  check_grains(sums);
+  now_ = state();
+  energy_ = {top_->work_on_grains() + bottom_->work_on_grains(), side_->work(), sums.weight_height,
+             sums.elastic, sums.kinetic, sums.friction, sums.rolling, sums.dashpots,
+             motion_->damping_loss()};
+  if (reference_wanted_) take_reference();
+
+  const double confining = now_.confining_stress;
+  const double p = mean_stress(0.5 * (now_.stress_top + now_.stress_bottom), confining);
+  const double rate = (top_->speed() + bottom_->speed()) / now_.height;
+  const ContactCount count{sums.grains, sums.ends, sums.without_contact, sums.with_one_contact};
+  const Equilibrium& equilibrium = motion_->equilibrium();
+  row_ = {static_cast<double>(update->ntimestep),
+          shortening(reference_.height, now_.height),
+          now_.stress_top,
+          now_.stress_bottom,
+          confining,
+          deviatoric_stress(now_.stress_top, confining),
+          deviatoric_stress(now_.stress_bottom, confining),
+          p,
+          shortening(reference_.volume, now_.volume),
+          now_.height,
+          now_.radius[1],
+          porosity(sums.solid, now_.volume),
+          porosity(sums.solid - sums.shared, now_.volume),
+          coordination_number(count),
+          bearing_coordination_number(count),
+          shortening(reference_.radius[0], now_.radius[0]),
+          shortening(reference_.radius[1], now_.radius[1]),
+          shortening(reference_.radius[2], now_.radius[2]),
+          equilibrium.average,
+          equilibrium.maximum,
+          p > 0.0 ? inertial_number(rate, sums.diameter / sums.mass, sums.inertia / sums.solid, p) : 0.0,
+          energy_.work_platens - energy_start_.work_platens,
+          energy_.work_side - energy_start_.work_side,
+          energy_.work_gravity - energy_start_.work_gravity,
+          energy_.elastic,
+          energy_.kinetic,
+          energy_.friction - energy_start_.friction,
+          energy_.rolling - energy_start_.rolling,
+          energy_.dashpots - energy_start_.dashpots,
+          energy_.damping - energy_start_.damping,
+          energy_error(energy_start_, energy_)};
+}
+
+void FixSpecimenHistory::take_reference()
+{
+  reference_ = now_;
+  energy_start_ = energy_;
+  reference_wanted_ = false;
+}
+
+void FixSpecimenHistory::end_of_step()
+{
+  if (reference_.height == 0.0) reference_wanted_ = true;
+  take_sample();
+  write_row();
+}
+
+void FixSpecimenHistory::write_row()
+{
+  if (comm->me != 0) return;
+  std::ofstream file(file_name_, fresh_file_ ? std::ios::trunc : std::ios::app);
+  if (fresh_file_)
+    for (int n = 0; n < column_count; ++n) file << columns[n] << (n + 1 < column_count ? "," : "\n");
+  fresh_file_ = false;
+  file.precision(9);
+  for (int n = 0; n < column_count; ++n) file << row_[n] << (n + 1 < column_count ? "," : "\n");
+}
+
+int FixSpecimenHistory::modify_param(int narg, char** arg)
+{
+  try {
+    const Options options = keywords.read(narg, arg, 0);
+    if (!options.has("reference") || narg != 1)
+      throw InputError("'fix_modify " + std::string(id) + "' takes 'reference' only, found '" +
+                       std::string(arg[0]) + "'");
+    reference_wanted_ = true;
+    fresh_file_ = true;
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  return narg;
+}
+
+double FixSpecimenHistory::compute_vector(int n)
+{
+  return row_.at(n);
+}
+
+namespace {
+struct Saved {
+  SpecimenState reference;
+  EnergyAccount start;
+  ContactLosses losses;
+};
+}  // namespace
+
+void FixSpecimenHistory::write_restart(FILE* file)
+{
+  double losses[3] = {contact_losses.friction, contact_losses.rolling, contact_losses.dashpots};
+  sum_over_ranks(losses, 3, world);
+  if (comm->me != 0) return;
+  const Saved saved{reference_, energy_start_, {losses[0], losses[1], losses[2]}};
+  const int size = sizeof(Saved);
+  fwrite(&size, sizeof(int), 1, file);
+  fwrite(&saved, sizeof(Saved), 1, file);
+}
+
+void FixSpecimenHistory::restart(char* buffer)
+{
+  Saved saved;
+  std::memcpy(&saved, buffer, sizeof(Saved));
+  reference_ = saved.reference;
+  energy_start_ = saved.start;
+  if (comm->me == 0) contact_losses = saved.losses;
+  fresh_file_ = false;
+}
+
+}  // namespace encased_column

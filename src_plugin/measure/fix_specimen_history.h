@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/keyword_table.h"
+#include "host/contact_probe.h"
+#include "measure/energy_account.h"
+#include "measure/specimen_state.h"
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+class FixMotion;
+class FixServoPlaten;
+class SpecimenSide;
+
+/// Writes the curves of a test: a row of history.csv every N steps.
+class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public ContactLossOwner {
+ public:
+  static const KeywordTable keywords;
+
+  FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void setup(int) override;
+  void pre_force(int) override;
+  void end_of_step() override;
+  int modify_param(int narg, char** arg) override;
+  double compute_vector(int n) override;
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+
+  bool wants_contacts(LAMMPS_NS::bigint step) const override;
+  void add_contact(const Contact& contact) override;
+
+ private:
+  /// Sums over this rank's grains and contacts, then over the ranks.
+  struct Sums {
+    double grains, solid, shared, inertia, diameter, weight_height, mass;
+    double elastic, kinetic, friction, rolling, dashpots;
+    double ends, without_contact, with_one_contact;
+  };
+
+  void clear_sums();
+  SpecimenState state() const;
+  Sums sum_up();
+  void check_grains(const Sums& sums);
+  void take_sample();
+  void take_reference();
+  void write_row();
+
+  std::string platen_ids_[2], side_id_, motion_id_, file_name_;
+  FixServoPlaten* top_ = nullptr;
+  FixServoPlaten* bottom_ = nullptr;
+  SpecimenSide* side_ = nullptr;
+  FixMotion* motion_ = nullptr;
+
+  bool setting_up_ = false;
+  bool reference_wanted_ = false;
+  bool fresh_file_ = true;
+  std::vector<int> contacts_of_;
+  double shared_volume_ = 0.0, elastic_ = 0.0;
+
+  SpecimenState reference_, now_;
+  EnergyAccount energy_start_, energy_;
+  std::vector<double> row_;
+};
+
+}  // namespace encased_column

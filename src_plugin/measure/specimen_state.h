@@ -1,0 +1,37 @@
+#pragma once
+
+namespace encased_column {
+
+/// What the platens and the side of a specimen say at one time; stress [Pa] positive in compression.
+struct SpecimenState {
+  double height = 0.0;        ///< between the platens [m]
+  double volume = 0.0;        ///< enclosed [m^3]
+  double radius[3] = {};      ///< at 1/4, 1/2 and 3/4 of the height [m]
+  double stress_top = 0.0, stress_bottom = 0.0, confining_stress = 0.0;
+};
+
+/// Strain [-] by which a length `now` is shorter than `before`; positive in compression.
+inline double shortening(double before, double now)
+{
+  return (before - now) / before;
+}
+
+/// Mean stress p = (sigma_1 + 2 sigma_3) / 3 [Pa].
+inline double mean_stress(double axial, double confining)
+{
+  return (axial + 2.0 * confining) / 3.0;
+}
+
+/// Deviatoric stress q = sigma_1 - sigma_3 [Pa].
+inline double deviatoric_stress(double axial, double confining)
+{
+  return axial - confining;
+}
+
+/// Porosity [-] of a volume that holds `solid` [m^3] of grains.
+inline double porosity(double solid, double volume)
+{
+  return 1.0 - solid / volume;
+}
+
+}  // namespace encased_column

@@ -1,0 +1,89 @@
+#include "packing/fix_grow_radius.h"
+
+#include "core/input_error.h"
+#include "host/rank_sums.h"
+#include "packing/growth_law.h"
+
+#include <cstring>
+
+namespace encased_column {
+
+const KeywordTable FixGrowRadius::keywords{
+    {"from", 1, "-", "radius over full radius at the start, as given to `create_packing`"},
+    {"stages", 1, "-", "number of times the radii grow (default 100)"},
+    {"relax", 1, "steps", "steps between two stages (default 50)"},
+};
+
+FixGrowRadius::FixGrowRadius(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg), begin_(update->ntimestep)
+{
+  try {
+    const Options options = keywords.read(narg, arg);
+    start_ = options.between("from", 0.1, 1.0);
+    stages_ = options.integer("stages", 1, 100);
+    steps_per_stage_ = options.integer("relax", 1, 50);
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  factor_ = start_;
+  force_reneighbor = 1;
+  next_reneighbor = begin_ + 1;
+  rad_mass_vary_flag = 1;
+  restart_global = 1;
+  scalar_flag = 1;
+  global_freq = 1;
+}
+
+int FixGrowRadius::setmask()
+{
+  return LAMMPS_NS::FixConst::INITIAL_INTEGRATE;
+}
+
+// Before the host decides on its lists, so that a stage and the list that knows it share a step.
+void FixGrowRadius::initial_integrate(int)
+{
+  const LAMMPS_NS::bigint done = update->ntimestep - begin_ - 1;
+  if (done % steps_per_stage_ != 0 || factor_ == 1.0) return;
+  const double stage = static_cast<double>(done / steps_per_stage_ + 1);
+  const double next = growth_factor(start_, stage / static_cast<double>(stages_));
+  const double ratio = next / factor_;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    atom->radius[i] *= ratio;
+    atom->rmass[i] *= ratio * ratio * ratio;
+  }
+  factor_ = next;
+  next_reneighbor = update->ntimestep;
+}
+
+double FixGrowRadius::max_rad(int type)
+{
+  double largest = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->type[i] == type) largest = std::max(largest, atom->radius[i]);
+  return max_over_ranks(largest, world) / factor_;
+}
+
+double FixGrowRadius::min_rad(int)
+{
+  return 0.0;
+}
+
+void FixGrowRadius::write_restart(FILE* file)
+{
+  if (comm->me != 0) return;
+  const double saved[2] = {factor_, static_cast<double>(begin_)};
+  const int size = sizeof(saved);
+  fwrite(&size, sizeof(int), 1, file);
+  fwrite(saved, sizeof(saved), 1, file);
+}
+
+void FixGrowRadius::restart(char* buffer)
+{
+  double saved[2];
+  std::memcpy(saved, buffer, sizeof(saved));
+  factor_ = saved[0];
+  begin_ = static_cast<LAMMPS_NS::bigint>(saved[1]);
+}
+
+}  // namespace encased_column

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+namespace encased_column {
+
+/// The lateral boundary of a specimen: a rigid cylinder or a sleeve. The specimen stands along z.
+class SpecimenSide {
+ public:
+  virtual ~SpecimenSide() = default;
+
+  /// Volume [m^3] between two heights [m].
+  virtual double enclosed_volume(double z_low, double z_high) const = 0;
+  /// Cross section [m^2] at a height [m].
+  virtual double cross_section(double z) const = 0;
+  /// Mean radius [m] at a height [m].
+  virtual double radius_at(double z) const = 0;
+  /// Stress [Pa] it lays on the specimen.
+  virtual double confining_stress() const = 0;
+  /// Work [J] it has done on the specimen.
+  virtual double work() const = 0;
+  /// True where a grain with this center [m] is on the inner side.
+  virtual bool holds(const double* center) const = 0;
+};
+
+}  // namespace encased_column
