@@ -1,6 +1,7 @@
 #include "packing/create_packing_command.h"
 
 #include "core/input_error.h"
+#include "packing/draw_diameters.h"
 #include "packing/gradation_file.h"
 #include "packing/grain_volume.h"
 
@@ -39,7 +40,7 @@ void CreatePackingCommand::command(int narg, char** arg)
           " " + ends[1] + " " + ends[2] + ", write for example 'cylinder 0.05 0 0.2'");
     const double solid = solid_volume(options.number("porosity"), cylinder.volume());
     const double density = options.positive("density");
-    const int type = static_cast<int>(options.integer("type", 1));
+    const long type = options.integer("type", 1);
     const auto seed = static_cast<std::uint64_t>(options.integer("seed", 0));
     const double start_factor = options.between("start_factor", 0.01, 1.0, 0.5);
     const ClassDistribution distribution =
@@ -58,14 +59,14 @@ void CreatePackingCommand::command(int narg, char** arg)
     const std::vector<Vec3> centers = place_spheres(radii, cylinder, ~seed);
 
     report(gradation, diameters, cylinder.volume(), options.word("report", ""));
-    create_atoms(centers, radii, type, density);
+    create_atoms(centers, radii, static_cast<int>(type), density);
     check_created(centers.size());
   } catch (const InputError& problem) {
     error->all(FLERR, (std::string("create_packing: ") + problem.what()).c_str());
   }
 }
 
-void CreatePackingCommand::check_host(const Cylinder& cylinder, int type) const
+void CreatePackingCommand::check_host(const Cylinder& cylinder, long type) const
 {
   if (!domain->box_exist) throw InputError("there is no box yet, write 'create_box' before it");
   if (!atom->radius_flag || !atom->rmass_flag || !atom->density_flag)

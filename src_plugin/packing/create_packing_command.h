@@ -21,7 +21,7 @@ class CreatePackingCommand : protected LAMMPS_NS::Pointers {
   void command(int narg, char** arg);
 
  private:
-  void check_host(const Cylinder& cylinder, int type) const;
+  void check_host(const Cylinder& cylinder, long type) const;
   /// All of a small text file, read by rank 0.
   std::string read_file(const std::string& file) const;
   void report(const Gradation& wanted, const std::vector<double>& diameters, double volume,
