@@ -1,0 +1,66 @@
+#include "input_errors/refusal.h"
+
+using namespace encased_column::testing;
+
+TEST(ContactLaw, RefusesANegativeModulus)
+{
+  expect_refused("two_grains", R"(
+unfix modulus
+fix   modulus all property/global contactModulus peratomtypepair 2 7e6 7e6 7e6 -7e6
+run   1
+)",
+                 "'contactModulus' must be larger than 0 for every pair of types, found -7e+06 for "
+                 "types 2 and 2");
+}
+
+TEST(ContactLaw, RefusesFrictionBelowZero)
+{
+  expect_refused("two_grains", R"(
+unfix friction
+fix   friction all property/global coefficientFriction peratomtypepair 2 -0.1 0.5 0.5 0.5
+run   1
+)",
+                 "'coefficientFriction' must be at least 0 for every pair of types, found -0.1 for "
+                 "types 1 and 1");
+}
+
+TEST(ContactLaw, RefusesAStiffnessRatioOfZero)
+{
+  expect_refused("two_grains", R"(
+unfix kappa
+fix   kappa all property/global stiffnessRatio peratomtypepair 2 1 0 0 1
+run   1
+)",
+                 "'stiffnessRatio' must be larger than 0 for every pair of types, found 0 for types "
+                 "1 and 2");
+}
+
+TEST(ContactLaw, RefusesADeckWithoutModulus)
+{
+  expect_refused("two_grains", R"(
+unfix modulus
+run   1
+)",
+                 "the linear contact law needs 'contactModulus', write 'fix ID all property/global "
+                 "contactModulus peratomtypepair 2 ...' with 4 values");
+}
+
+TEST(ContactLaw, RefusesAMatrixThatIsNotSymmetric)
+{
+  expect_refused("two_grains", R"(
+unfix modulus
+fix   modulus all property/global contactModulus peratomtypepair 2 7e6 7e6 9e6 7e6
+run   1
+)",
+                 "matrix must be symmetric");
+}
+
+TEST(ContactLaw, RefusesRollingResistanceWithoutItsCoefficient)
+{
+  expect_refused("two_grains", R"(
+pair_style gran model linear tangential history rolling_friction epsd2
+pair_coeff * *
+run   1
+)",
+                 "the linear contact law needs 'coefficientRollingFriction'");
+}

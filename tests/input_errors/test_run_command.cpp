@@ -1,0 +1,99 @@
+// The command input_scripts/run refuses bad options with one sentence before it sets anything up.
+#include "support/child_program.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+using namespace encased_column::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path source = ENCASE_SOURCE;
+
+Outcome run_command(const std::vector<std::string>& options)
+{
+  std::vector<std::string> words{source / "input_scripts/run"};
+  words.insert(words.end(), options.begin(), options.end());
+  return run_program(words, "/");
+}
+
+void expect_refused(const std::vector<std::string>& options, const std::string& sentence)
+{
+  const Outcome outcome = run_command(options);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.output, "run: " + sentence + "\n");
+}
+
+}  // namespace
+
+TEST(RunCommand, ShowsHelpAndCasesFromAnywhere)
+{
+  const Outcome help = run_command({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_TRUE(help.says("./input_scripts/run [option ...]"));
+  const Outcome list = run_command({"--list"});
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_TRUE(list.says("* plain_050")) << list.output;
+  EXPECT_TRUE(list.says("confining stress")) << list.output;
+}
+
+TEST(RunCommand, RefusesAnUnknownOption)
+{
+  expect_refused({"--resolutoin", "quick"}, "unknown option '--resolutoin', see --help");
+}
+
+TEST(RunCommand, RefusesAnOptionWithoutItsValue)
+{
+  expect_refused({"--case"}, "option '--case' needs a value, see --help");
+}
+
+TEST(RunCommand, RefusesAnUnknownCase)
+{
+  const Outcome outcome = run_command({"--case", "plain_51"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(outcome.says("run: unknown case 'plain_51', expected one of: plain_050 plain_100"));
+}
+
+TEST(RunCommand, RefusesAnUnknownResolution)
+{
+  expect_refused({"--resolution", "coarse"},
+                 "unknown resolution 'coarse', expected one of: quick standard paper");
+}
+
+TEST(RunCommand, RefusesAVariableTheDeckDoesNotHave)
+{
+  const Outcome outcome = run_command({"--set", "sigma_3=50e3"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(outcome.says("run: deck triaxial_plain has no variable 'sigma_3', expected one of: "));
+}
+
+TEST(RunCommand, RefusesASettingThatIsNotNameAndValue)
+{
+  expect_refused({"--set", "sigma3"}, "--set takes NAME=VALUE without blanks, found 'sigma3'");
+}
+
+TEST(RunCommand, RefusesRanksThatAreNotAWholeNumber)
+{
+  expect_refused({"--ranks", "1.5"}, "--ranks takes a whole number from 1, found '1.5'");
+}
+
+TEST(RunCommand, RefusesANameThatLeavesTheRunFolder)
+{
+  expect_refused({"--name", "../elsewhere"},
+                 "--name takes letters, digits, '_', '-' and '.', found '../elsewhere'");
+}
+
+TEST(RunCommand, RefusesAnOutputFolderThatCannotBeWritten)
+{
+  const std::string name = "blocked_" + std::to_string(getpid());
+  const fs::path in_the_way = source / "runs" / name;
+  fs::create_directories(in_the_way.parent_path());
+  std::ofstream(in_the_way) << "a file, not a folder\n";
+  expect_refused({"--name", name, "--case", "plain_050"},
+                 "cannot write the output folder 'runs/" + name +
+                     "/plain_050', free it or choose another --name");
+  fs::remove(in_the_way);
+}
