@@ -1,0 +1,104 @@
+#include "drawing/canvas.h"
+
+#include "core/input_error.h"
+
+#include <vtkGL2PSExporter.h>
+#include <vtkImageResize.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkTextProperty.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <array>
+#include <string>
+
+namespace encased_column {
+
+namespace {
+
+std::string find_font()
+{
+  for (const char* file :
+       {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+        "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf"})
+    if (std::filesystem::exists(file)) return file;
+  return {};
+}
+
+/// VTK reports a file it cannot write only in its own log: look whether it is there instead.
+void remove_old(const std::filesystem::path& file)
+{
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+}
+
+void check_written(const std::filesystem::path& file)
+{
+  if (!std::filesystem::exists(file))
+    throw InputError("pictures must go where they can be written, found '" + file.string() +
+                     "' refused, write for example '--output results'");
+}
+
+}  // namespace
+
+void prepare_window(vtkRenderWindow* window, int width, int height)
+{
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(8);
+  window->SetSize(width, height);
+}
+
+void set_font(vtkTextProperty* text, int size)
+{
+  static const std::string font = find_font();
+  if (!font.empty()) {
+    text->SetFontFamily(VTK_FONT_FILE);
+    text->SetFontFile(font.c_str());
+  }
+  text->SetFontSize(size);
+  text->SetBold(0);
+  text->SetColor(0.1, 0.1, 0.1);
+}
+
+void write_png(const std::filesystem::path& file, vtkRenderWindow* window, int finer)
+{
+  const std::filesystem::path png = file.string() + ".png";
+  remove_old(png);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->SetInputBufferTypeToRGB();
+  image->ReadFrontBufferOff();
+  image->Update();
+  vtkNew<vtkPNGWriter> writer;
+  vtkNew<vtkImageResize> smaller;
+  if (finer > 1) {
+    const std::array<int, 2> size{window->GetSize()[0], window->GetSize()[1]};
+    smaller->SetInputConnection(image->GetOutputPort());
+    smaller->SetOutputDimensions(size[0] / finer, size[1] / finer, 1);
+    writer->SetInputConnection(smaller->GetOutputPort());
+  } else
+    writer->SetInputConnection(image->GetOutputPort());
+  writer->SetFileName(png.c_str());
+  writer->Write();
+  check_written(png);
+}
+
+void write_svg(const std::filesystem::path& file, vtkRenderWindow* window)
+{
+  const std::filesystem::path svg = file.string() + ".svg";
+  remove_old(svg);
+  vtkNew<vtkGL2PSExporter> exporter;
+  exporter->SetRenderWindow(window);
+  exporter->SetFileFormatToSVG();
+  exporter->CompressOff();
+  exporter->SetSortToOff();
+  exporter->SilentOn();
+  exporter->SetTitle(file.filename().c_str());
+  exporter->SetFilePrefix(file.c_str());
+  exporter->Write();
+  check_written(svg);
+}
+
+}  // namespace encased_column

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// Debian's VTK draws through an X display only. Where there is none, starts this program again
+/// with `arguments` (without its name) under xvfb-run, in its place: does not return. Throws
+/// InputError if xvfb-run is not installed. Returns at once where there is a display.
+void provide_display(const std::vector<std::string>& arguments);
+
+}  // namespace encased_column

@@ -1,0 +1,152 @@
+#include "drawing/figure.h"
+
+#include "drawing/canvas.h"
+
+#include <vtkAxis.h>
+#include <vtkChartLegend.h>
+#include <vtkChartXY.h>
+#include <vtkContextScene.h>
+#include <vtkContextView.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlotPoints.h>
+#include <vtkRenderWindow.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace encased_column {
+
+namespace {
+
+constexpr int width = 1200;
+constexpr int height_alone = 760;    // of the only panel of a figure
+constexpr int height_stacked = 440;  // of each of several
+
+void add_series(vtkChartXY* chart, const Series& series)
+{
+  vtkNew<vtkTable> table;
+  vtkNew<vtkDoubleArray> x, y;
+  x->SetName("x");
+  y->SetName("y");
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    x->InsertNextValue(series.x[i]);
+    y->InsertNextValue(series.y[i]);
+  }
+  table->AddColumn(x);
+  table->AddColumn(y);
+  vtkPlot* plot = chart->AddPlot(vtkChart::LINE);
+  plot->SetInputData(table, 0, 1);
+  plot->SetLabel(series.label);
+  plot->SetLegendVisibility(!series.label.empty());
+  plot->SetColor(series.color[0], series.color[1], series.color[2], 255);
+  plot->SetWidth(3.0F);
+  switch (series.stroke) {
+    case Stroke::none:
+      plot->GetPen()->SetLineType(vtkPen::NO_PEN);
+      break;
+    case Stroke::solid:
+      plot->GetPen()->SetLineType(vtkPen::SOLID_LINE);
+      break;
+    case Stroke::dashed:
+      plot->GetPen()->SetLineType(vtkPen::DASH_LINE);
+      break;
+    case Stroke::dotted:
+      plot->GetPen()->SetLineType(vtkPen::DOT_LINE);
+      break;
+  }
+  if (series.marks) {
+    auto* points = vtkPlotPoints::SafeDownCast(plot);
+    points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+    points->SetMarkerSize(14.0F);
+  }
+}
+
+/// Smallest and largest value to show; curves are never cut, as vector files do not cut them.
+std::array<double, 2> range(const Axis& axis, const std::vector<Series>& all,
+                            const std::vector<double> Series::*values)
+{
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Series& series : all)
+    for (const double value : series.*values) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  low = std::min(low, axis.low.value_or(low));
+  high = std::max(high, axis.high.value_or(high));
+  if (axis.logarithmic) return {std::floor(std::log10(low)), std::ceil(std::log10(high))};
+
+  // Steps of 1, 2 or 5 times a power of ten, five to ten of them.
+  const double span = high > low ? high - low : std::max(std::abs(high), 1.0);
+  const double power = std::pow(10.0, std::floor(std::log10(span / 5.0)));
+  double step = power;
+  for (const double factor : {2.0, 5.0, 10.0})
+    if (span / step > 10.0) step = factor * power;
+  return {step * std::floor(low / step + 1e-9), step * std::ceil((low + span) / step - 1e-9)};
+}
+
+void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& limits)
+{
+  axis->SetTitle(given.title);
+  set_font(axis->GetTitleProperties(), 24);
+  set_font(axis->GetLabelProperties(), 20);
+  axis->GetGridPen()->SetColor(225, 225, 225);
+  axis->GetPen()->SetWidth(1.5F);
+  axis->SetLogScale(given.logarithmic);
+  axis->SetBehavior(vtkAxis::FIXED);
+  if (given.logarithmic)
+    axis->SetUnscaledRange(std::pow(10.0, limits[0]), std::pow(10.0, limits[1]));
+  else
+    axis->SetRange(limits[0], limits[1]);
+  axis->AutoScale();
+}
+
+void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place)
+{
+  vtkNew<vtkChartXY> chart;
+  view->GetScene()->AddItem(chart);
+  chart->SetAutoSize(false);
+  chart->SetSize(place);
+  chart->SetTitle(panel.title);
+  set_font(chart->GetTitleProperties(), 24);
+  for (const Series& series : panel.series) add_series(chart, series);
+  style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x, range(panel.x, panel.series, &Series::x));
+  style_axis(chart->GetAxis(vtkAxis::LEFT), panel.y, range(panel.y, panel.series, &Series::y));
+  chart->SetShowLegend(true);
+  vtkChartLegend* legend = chart->GetLegend();
+  legend->SetInline(false);
+  legend->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+  legend->GetPen()->SetLineType(vtkPen::NO_PEN);
+  set_font(legend->GetLabelProperties(), 20);
+  legend->SetLabelSize(20);
+  legend->SetSymbolWidth(45);
+}
+
+}  // namespace
+
+Color palette(std::size_t i)
+{
+  static const std::array<Color, 7> colors{
+      Color{0, 114, 178},  Color{213, 94, 0},  Color{0, 158, 115}, Color{204, 121, 167},
+      Color{86, 180, 233}, Color{230, 159, 0}, Color{0, 0, 0}};
+  return colors[i % colors.size()];
+}
+
+void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& panels)
+{
+  const int each = panels.size() == 1 ? height_alone : height_stacked;
+  const int height = each * static_cast<int>(panels.size());
+  vtkNew<vtkContextView> view;
+  prepare_window(view->GetRenderWindow(), width, height);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const auto bottom = static_cast<float>(height - each * (i + 1));
+    add_panel(view, panels[i], vtkRectf(10.0F, bottom, width - 20.0F, each - 15.0F));
+  }
+  write_png(file, view->GetRenderWindow());
+  write_svg(file, view->GetRenderWindow());
+}
+
+}  // namespace encased_column

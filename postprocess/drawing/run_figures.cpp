@@ -1,0 +1,92 @@
+#include "drawing/run_figures.h"
+
+#include "drawing/figure.h"
+#include "drawing/labels.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace encased_column {
+
+namespace {
+
+/// A log axis has no zero: below this a ratio is drawn as this.
+constexpr double smallest_ratio = 1e-7;
+
+std::vector<double> for_log_axis(std::vector<double> values)
+{
+  for (double& value : values) value = std::max(value, smallest_ratio);
+  return values;
+}
+
+Series limit(const std::string& label, double end_of_strain, double value)
+{
+  return {label, {0.0, 100.0 * end_of_strain}, {value, value}, grey, Stroke::dotted};
+}
+
+void draw_checks(const std::filesystem::path& folder, const std::vector<SetResult>& sets)
+{
+  const Axis strain{axial_strain_title, false, 0.0, {}};
+  Panel unbalanced{"Unbalanced force ratio (average)", strain, {"ratio [-]", true}, {}};
+  Panel inertial{"Inertial number", strain, {"inertial number I [-]", true}, {}};
+  Panel platens{"Platen difference, (top - bottom) / mean", strain, {"difference [%]"}, {}};
+  const auto labels = test_labels(sets);
+  const auto colors = color_numbers(sets);
+  double end = 0.0;
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (std::size_t t = 0; t < sets[s].tests.size(); ++t) {
+      const ShearRecord& record = sets[s].tests[t].record;
+      const std::vector<double> x = percent(record.axial_strain);
+      const Color color = palette(colors[s][t]);
+      const Stroke stroke =
+          sets.size() > 1 && !sets[s].tests[t].run->encased() ? Stroke::dashed : Stroke::solid;
+      const std::string& label = labels[s][t];
+      unbalanced.series.push_back(
+          {label, x, for_log_axis(record.unbalanced_average), color, stroke});
+      inertial.series.push_back({label, x, for_log_axis(record.inertial_number), color, stroke});
+      platens.series.push_back({label, x, percent(platen_differences(record)), color, stroke});
+      end = std::max(end, record.axial_strain.back());
+    }
+  unbalanced.series.push_back(limit("allowed at the start", end, 1e-5));
+  inertial.series.push_back(limit("allowed", end, 1e-3));
+  platens.series.push_back(limit("allowed, 1 % average", end, 3.0));
+  platens.series.push_back(limit("", end, -3.0));
+  draw_figure(folder / "checks", {unbalanced, inertial, platens});
+}
+
+void draw_energy(const std::filesystem::path& folder, const TestResult& test)
+{
+  static const std::vector<std::pair<const char*, const char*>> terms{
+      {"work_platens [J]", "work of the platens"}, {"work_side [J]", "work of the side"},
+      {"work_gravity [J]", "work of gravity"},     {"loss_friction [J]", "lost: friction"},
+      {"loss_rolling [J]", "lost: rolling"},       {"loss_dashpots [J]", "lost: dashpots"},
+      {"loss_damping [J]", "lost: local damping"}, {"energy_elastic [J]", "stored: elastic"},
+      {"energy_kinetic [J]", "stored: kinetic"},
+  };
+  Panel panel;
+  panel.title =
+      "Energy balance of " + test.run->id + " (solid: put in, dashed: lost, dotted: stored)";
+  panel.x = {axial_strain_title, false, 0.0, {}};
+  panel.y = {"energy [J]"};
+  std::size_t color = 0;
+  for (const auto& [column, label] : terms) {
+    const std::string name = label;
+    const Stroke stroke = name[0] == 'w'   ? Stroke::solid
+                          : name[0] == 'l' ? Stroke::dashed
+                                           : Stroke::dotted;
+    panel.series.push_back({name, percent(test.axial_strain), test.run->history.numbers(column),
+                            palette(color++), stroke});
+  }
+  draw_figure(folder / ("energy_" + test.run->id), {panel});
+}
+
+}  // namespace
+
+void draw_run_figures(const std::filesystem::path& folder, const std::vector<SetResult>& sets)
+{
+  draw_checks(folder, sets);
+  for (const SetResult& set : sets)
+    for (const TestResult& test : set.tests) draw_energy(folder, test);
+}
+
+}  // namespace encased_column

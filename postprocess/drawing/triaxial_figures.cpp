@@ -1,0 +1,124 @@
+#include "drawing/triaxial_figures.h"
+
+#include "core/constants.h"
+#include "drawing/figure.h"
+#include "drawing/labels.h"
+#include "report/text_layout.h"
+
+#include <algorithm>
+
+namespace encased_column {
+
+namespace {
+
+Stroke stroke_of(const SetResult& set, std::size_t sets)
+{
+  return sets > 1 && !set.tests.front().run->encased() ? Stroke::dashed : Stroke::solid;
+}
+
+std::string kind(const SetResult& set)
+{
+  return set.tests.front().run->encased() ? "encased" : "plain";
+}
+
+/// What q is read from, for the titles of figures.
+std::string platen_title(const std::vector<SetResult>& sets)
+{
+  std::string title;
+  for (const SetResult& set : sets) {
+    const std::string platen = "q from the " + platen_name(set.tests.front().platen);
+    if (title.find(platen) != std::string::npos) continue;
+    title += (title.empty() ? "" : "; ") + platen;
+    if (sets.size() > 1 && sets[0].tests[0].platen != sets[1].tests[0].platen)
+      title += " (" + kind(set) + ")";
+  }
+  return title;
+}
+
+/// One curve for each test: `factor` times the values `member` over axial strain [%].
+Panel curves(const std::vector<SetResult>& sets, std::vector<double> TestResult::*member,
+             double factor)
+{
+  Panel panel;
+  panel.x = {axial_strain_title, false, 0.0, {}};
+  const auto labels = test_labels(sets);
+  const auto colors = color_numbers(sets);
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (std::size_t t = 0; t < sets[s].tests.size(); ++t) {
+      const TestResult& test = sets[s].tests[t];
+      panel.series.push_back({labels[s][t], percent(test.axial_strain),
+                              scaled(test.*member, factor), palette(colors[s][t]),
+                              stroke_of(sets[s], sets.size())});
+    }
+  return panel;
+}
+
+Series failure_line(const FailureLine& line, double highest_p, const std::string& label,
+                    Color color, Stroke stroke)
+{
+  return {label,
+          {0.0, highest_p / 1e3},
+          {line.intercept / 1e3, line.deviatoric_stress(highest_p) / 1e3},
+          color,
+          stroke};
+}
+
+std::string in_legend(const std::string& who, const Strength& strength)
+{
+  return who + ": φ = " + fixed(strength.friction_angle * 180.0 / pi, 1) +
+         "°, c = " + fixed(strength.cohesion / 1e3, 1) + " kPa";
+}
+
+void add_set(Panel& panel, const SetResult& set, std::size_t first_color, const Targets& targets,
+             bool name_set)
+{
+  const std::string name = name_set ? kind(set) + ", " : "";
+  const Color color = palette(first_color);
+  Series peaks{name + "peaks", {}, {}, color, Stroke::none, true};
+  double highest = 0.0;
+  for (const TestResult& test : set.tests) {
+    peaks.x.push_back(test.peak_stress.mean_stress / 1e3);
+    peaks.y.push_back(test.peak_stress.deviatoric_stress / 1e3);
+    highest = std::max(highest, test.peak_stress.mean_stress);
+  }
+  highest *= 1.1;
+  if (set.line)
+    panel.series.push_back(failure_line(*set.line, highest,
+                                        in_legend(name + "here", strength_of(*set.line)), color,
+                                        Stroke::solid));
+  if (const auto strength = targets.strength(set.set, true))
+    panel.series.push_back(failure_line(failure_line_of(*strength), highest,
+                                        in_legend(name + "laboratory", *strength), black,
+                                        name_set ? stroke_of(set, 2) : Stroke::dashed));
+  if (const auto strength = targets.strength(set.set, false))
+    panel.series.push_back(failure_line(failure_line_of(*strength), highest,
+                                        in_legend(name + "model", *strength), grey,
+                                        Stroke::dotted));
+  panel.series.push_back(peaks);
+}
+
+}  // namespace
+
+void draw_triaxial_figures(const std::filesystem::path& folder, const std::vector<SetResult>& sets,
+                           const Targets& targets)
+{
+  Panel stress = curves(sets, &TestResult::deviatoric_stress, 1e-3);
+  stress.title = "Deviatoric stress, " + platen_title(sets);
+  stress.y = {"deviatoric stress q [kPa]", false, 0.0, {}};
+  draw_figure(folder / "deviatoric_stress", {stress});
+
+  Panel volume = curves(sets, &TestResult::volumetric_strain, 100.0);
+  volume.title = "Volumetric strain, compression positive";
+  volume.y = {"volumetric strain εᵥ [%]"};
+  draw_figure(folder / "volumetric_strain", {volume});
+
+  Panel strength;
+  strength.title = "Peak strength, p = (σ₁ + 2 σ₃) / 3, " + platen_title(sets);
+  strength.x = {"mean stress p [kPa]", false, 0.0, {}};
+  strength.y = {"deviatoric stress q [kPa]", false, 0.0, {}};
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    add_set(strength, sets[s], s, targets, sets.size() > 1);
+  draw_figure(folder / "p_q", {strength});
+}
+
+}  // namespace encased_column

@@ -1,0 +1,125 @@
+#include "core/input_error.h"
+#include "drawing/display.h"
+#include "drawing/run_figures.h"
+#include "drawing/specimen_picture.h"
+#include "drawing/triaxial_figures.h"
+#include "reading/grain_file.h"
+#include "report/check_table.h"
+#include "report/result_table.h"
+
+#include <vtkObject.h>
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <optional>
+
+namespace fs = std::filesystem;
+using namespace encased_column;
+
+namespace {
+
+struct Settings {
+  std::vector<fs::path> folders;
+  fs::path targets, output;
+  std::optional<Platen> platen;
+  bool no_pictures = false;
+  bool pictures_only = false;  ///< set when started again under a virtual display
+};
+
+/// The published values where a build or an installation puts them.
+fs::path default_targets()
+{
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path installed = program.parent_path() / "share" / "encased-columns" / "targets.csv";
+  return fs::exists(installed) ? installed : program / "targets.csv";
+}
+
+/// A series holds its own results; those of single cases go beside the first of them.
+fs::path default_output(const fs::path& first)
+{
+  if (!fs::exists(first / "case.json")) return first;
+  return fs::canonical(first).parent_path();
+}
+
+void write_tables(const Settings& settings, const std::vector<SetResult>& sets,
+                  const Targets& targets)
+{
+  const std::string table = result_text(sets, targets), checks = check_text(sets);
+  write_text(settings.output / "table.csv", result_csv(sets, targets));
+  write_text(settings.output / "table.txt", table);
+  write_text(settings.output / "checks.csv", check_csv(sets));
+  write_text(settings.output / "checks.txt", checks);
+  std::cout << table << '\n' << checks << std::flush;
+}
+
+void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
+                   const Targets& targets)
+{
+  const fs::path folder = settings.output / "figures";
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure)
+    throw InputError("pictures must go where they can be written, found '" + folder.string() +
+                     "' refused, write for example '--output results'");
+  draw_triaxial_figures(folder, sets, targets);
+  draw_run_figures(folder, sets);
+  for (const SetResult& set : sets)
+    for (const TestResult& test : set.tests) {
+      const CaseRun& run = *test.run;
+      if (const auto grains = last_grain_file(run.folder))
+        draw_specimen(folder / ("specimen_" + run.id), grains->file, run.title);
+      else
+        std::cerr << "note: no picture of the specimen of '" << run.id
+                  << "': its run wrote no grains/grains.pvd\n";
+    }
+  std::cout << "\nPictures: " << folder.string() << '\n';
+}
+
+void run(const Settings& settings, std::vector<std::string> arguments)
+{
+  const CaseRuns found = read_case_runs(settings.folders);
+  const Targets targets(settings.targets);
+  const std::vector<SetResult> sets = evaluate(found.runs, settings.platen);
+  if (!settings.pictures_only) {
+    for (const std::string& sentence : found.left_out) std::cerr << "note: " << sentence << '\n';
+    write_tables(settings, sets, targets);
+  }
+  if (settings.no_pictures) return;
+  arguments.emplace_back("--pictures-only");
+  provide_display(arguments);
+  draw_pictures(settings, sets, targets);
+}
+
+}  // namespace
+
+int main(int count, char** words)
+{
+  Settings settings;
+  CLI::App app{"Curves, tables and pictures of triaxial runs"};
+  app.add_option("folders", settings.folders, "a series (runs/default) or several case folders")
+      ->required();
+  app.add_option("--targets", settings.targets,
+                 "CSV file of the published values [targets.csv beside the program]");
+  app.add_option("--output", settings.output,
+                 "folder for the results [the series, or the folder that holds the first case]");
+  const std::map<std::string, Platen> platens{
+      {"top", Platen::top}, {"bottom", Platen::bottom}, {"mean", Platen::mean}};
+  app.add_option("--platen", settings.platen,
+                 "platen that q is read from: top, bottom or mean [plain: mean, encased: bottom]")
+      ->transform(CLI::Transformer(platens));
+  app.add_flag("--no-pictures", settings.no_pictures, "tables only");
+  app.add_flag("--pictures-only", settings.pictures_only, "pictures only");
+  CLI11_PARSE(app, count, words);
+  vtkObject::GlobalWarningDisplayOff();
+  try {
+    if (settings.targets.empty()) settings.targets = default_targets();
+    if (settings.output.empty()) settings.output = default_output(settings.folders.front());
+    run(settings, {words + 1, words + count});
+  } catch (const std::exception& problem) {
+    std::cerr << "encase-postprocess: " << problem.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

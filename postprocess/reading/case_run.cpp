@@ -1,0 +1,101 @@
+#include "reading/case_run.h"
+
+#include "core/input_error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <tuple>
+
+namespace encased_column {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_case(const fs::path& folder)
+{
+  return fs::is_regular_file(folder / "case.json");
+}
+
+CaseRun read_description(const fs::path& folder)
+{
+  const fs::path file = folder / "case.json";
+  CaseRun run;
+  run.folder = folder;
+  try {
+    std::ifstream stream(file);
+    const nlohmann::json json = nlohmann::json::parse(stream);
+    run.id = json.at("id").get<std::string>();
+    run.deck = json.at("deck").get<std::string>();
+    run.title = json.value("title", run.id);
+    for (const auto& [name, value] : json.at("variables").items()) {
+      if (value.is_number()) run.variables[name] = value.get<double>();
+      if (name == "resolution" && value.is_string()) run.resolution = value.get<std::string>();
+    }
+  } catch (const nlohmann::json::exception& problem) {
+    throw InputError("'" + file.string() +
+                     "' must hold the texts id and deck and the object variables, found " +
+                     problem.what() + ", run the case again");
+  }
+  return run;
+}
+
+void read_results(CaseRun& run)
+{
+  const auto found = run.variables.find("sigma3");
+  if (found == run.variables.end() || !(found->second > 0.0))
+    throw InputError("variable 'sigma3' in '" + (run.folder / "case.json").string() +
+                     "' must be a stress above zero [Pa], found none, write for example "
+                     "\"sigma3\": 50000");
+  run.confining_stress = found->second;
+  run.history = TextTable(run.folder / "history.csv");
+}
+
+std::vector<fs::path> cases_of(const fs::path& folder)
+{
+  if (!fs::is_directory(folder))
+    throw InputError("a folder of runs must be a folder, found '" + folder.string() +
+                     "', write for example 'encase-postprocess runs/default'");
+  if (is_case(folder)) return {folder};
+  std::vector<fs::path> cases;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (is_case(entry.path())) cases.push_back(entry.path());
+  if (cases.empty())
+    throw InputError("a folder of runs must hold case folders with a case.json, found none in '" +
+                     folder.string() + "', make the runs with './input_scripts/run' first");
+  std::sort(cases.begin(), cases.end());
+  return cases;
+}
+
+}  // namespace
+
+CaseRuns read_case_runs(const std::vector<fs::path>& folders)
+{
+  CaseRuns found;
+  for (const fs::path& given : folders)
+    for (const fs::path& folder : cases_of(given)) {
+      CaseRun run = read_description(folder);
+      if (run.deck.find("triaxial") == std::string::npos)
+        found.left_out.push_back("'" + run.id + "' is left out: deck '" + run.deck +
+                                 "' is not a triaxial test");
+      else if (folder != given && !fs::exists(folder / "history.csv"))
+        found.left_out.push_back("'" + run.id + "' is left out: no history.csv, it did not get " +
+                                 "as far as its shear stage");
+      else {
+        read_results(run);
+        found.runs.push_back(std::move(run));
+      }
+    }
+  if (found.runs.empty())
+    throw InputError("figures take one triaxial run that reached shear at least, found none in '" +
+                     folders.front().string() + "', see the log.liggghts of the cases");
+  std::stable_sort(found.runs.begin(), found.runs.end(), [](const CaseRun& a, const CaseRun& b) {
+    return std::make_tuple(a.encased(), a.confining_stress) <
+           std::make_tuple(b.encased(), b.confining_stress);
+  });
+  return found;
+}
+
+}  // namespace encased_column

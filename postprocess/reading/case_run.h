@@ -1,0 +1,37 @@
+#pragma once
+
+#include "reading/text_table.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// One run of a triaxial deck: what was asked for (case.json) and what came out (history.csv).
+struct CaseRun {
+  std::filesystem::path folder;
+  std::string id, deck, title;
+  std::string resolution;                   ///< empty if the deck has none
+  std::map<std::string, double> variables;  ///< the numbers among the deck's variables
+  double confining_stress;                  ///< sigma3 asked for [Pa]
+  TextTable history;                        ///< samples of the shear stage
+
+  bool encased() const { return deck.find("encased") != std::string::npos; }
+  /// The set of the published values this run belongs to, as targets.csv calls it.
+  std::string set() const { return encased() ? "encased_triaxial" : "plain_triaxial"; }
+};
+
+/// The runs found, and a sentence for each folder that was left out and why.
+struct CaseRuns {
+  std::vector<CaseRun> runs;  ///< plain before encased, then by confining stress
+  std::vector<std::string> left_out;
+};
+
+/// Reads `folders`, each a case folder (it holds case.json) or a series of them. Throws InputError
+/// if a folder given holds no case, if a file cannot be read, or if no triaxial run is left. In a
+/// series, cases that have not reached shear and decks that are not triaxial are left out.
+CaseRuns read_case_runs(const std::vector<std::filesystem::path>& folders);
+
+}  // namespace encased_column

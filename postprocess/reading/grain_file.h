@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace encased_column {
+
+/// The last state of the grains a run left.
+struct GrainFile {
+  std::filesystem::path file;  ///< of VTK's XML PolyData, one point per grain
+  long grains;                 ///< their number
+};
+
+/// Reads the collection `folder`/grains/grains.pvd; nothing if the run wrote none. Throws
+/// InputError if the collection or the last file it names cannot be read.
+std::optional<GrainFile> last_grain_file(const std::filesystem::path& folder);
+
+}  // namespace encased_column

@@ -1,0 +1,58 @@
+#include "reading/targets.h"
+
+#include "core/constants.h"
+#include "core/input_error.h"
+#include "core/read_number.h"
+
+namespace encased_column {
+
+namespace {
+
+bool starts_with(const std::string& text, const std::string& start)
+{
+  return text.compare(0, start.size(), start) == 0;
+}
+
+std::optional<double> optional_number(const std::string& column, const std::string& word)
+{
+  if (word.empty()) return std::nullopt;
+  return read_number(column, word);
+}
+
+}  // namespace
+
+Targets::Targets(const std::filesystem::path& file) : table_(file)
+{
+  for (const char* column : {"set", "quantity", "condition", "value_test", "value_model"})
+    table_.words(column);
+}
+
+Published Targets::find(const std::string& set, const std::string& quantity,
+                        const std::string& condition) const
+{
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    if (table_.words("set")[row] != set) continue;
+    if (!starts_with(table_.words("quantity")[row], quantity)) continue;
+    if (!starts_with(table_.words("condition")[row], condition)) continue;
+    return {optional_number("value_test", table_.words("value_test")[row]),
+            optional_number("value_model", table_.words("value_model")[row])};
+  }
+  return {};
+}
+
+std::optional<Strength> Targets::strength(const std::string& set, bool laboratory) const
+{
+  const Published angle = find(set, "apparent friction angle", "");
+  const Published cohesion = find(set, "apparent cohesion", "");
+  const auto phi = laboratory ? angle.laboratory : angle.model;
+  const auto c = laboratory ? cohesion.laboratory : cohesion.model;
+  if (!phi || !c) return std::nullopt;
+  return Strength{*phi * pi / 180.0, *c * 1e3};
+}
+
+std::string confining_condition(double confining_stress)
+{
+  return "sigma3=" + in_words(confining_stress / 1e3) + " kPa";
+}
+
+}  // namespace encased_column

@@ -1,0 +1,98 @@
+#include "report/evaluation.h"
+
+#include "core/input_error.h"
+#include "reading/grain_file.h"
+
+namespace encased_column {
+
+namespace {
+
+std::vector<double> mean_of(const std::vector<double>& a, const std::vector<double>& b)
+{
+  std::vector<double> mean;
+  for (std::size_t i = 0; i < a.size(); ++i) mean.push_back(0.5 * (a[i] + b[i]));
+  return mean;
+}
+
+std::vector<double> deviatoric_stress(const TextTable& history, Platen platen)
+{
+  const std::string top = "deviatoric_stress_top [Pa]", bottom = "deviatoric_stress_bottom [Pa]";
+  if (platen == Platen::top) return history.numbers(top);
+  if (platen == Platen::bottom) return history.numbers(bottom);
+  return mean_of(history.numbers(top), history.numbers(bottom));
+}
+
+ShearRecord shear_record(const CaseRun& run)
+{
+  ShearRecord record;
+  record.target_confining_stress = run.confining_stress;
+  record.axial_strain = run.history.numbers("axial_strain [-]");
+  record.confining_stress = run.history.numbers("confining_stress [Pa]");
+  record.stress_top = run.history.numbers("stress_top [Pa]");
+  record.stress_bottom = run.history.numbers("stress_bottom [Pa]");
+  record.unbalanced_average = run.history.numbers("unbalanced_average [-]");
+  record.inertial_number = run.history.numbers("inertial_number [-]");
+  record.energy_error = run.history.numbers("energy_error [-]");
+  return record;
+}
+
+TestResult evaluate_run(const CaseRun& run, Platen platen)
+{
+  TestResult result;
+  result.run = &run;
+  result.platen = platen;
+  result.record = shear_record(run);
+  result.axial_strain = result.record.axial_strain;
+  result.deviatoric_stress = deviatoric_stress(run.history, platen);
+  result.volumetric_strain = run.history.numbers("volumetric_strain [-]");
+
+  const SampledCurve curve(result.axial_strain, result.deviatoric_stress);
+  result.peak = peak_strength(curve);
+  result.secant_modulus = secant_modulus(curve, result.peak.reported);
+  const SampledCurve confining(result.axial_strain, result.record.confining_stress);
+  const double half_width = 0.5 * peak_averaging_width;
+  result.peak_stress = stress_point(
+      confining.mean(result.peak.axial_strain - half_width, result.peak.axial_strain + half_width),
+      result.peak.reported);
+  result.checks = run_checks(result.record, !run.encased());
+  if (const auto grains = last_grain_file(run.folder)) result.grains = grains->grains;
+  return result;
+}
+
+bool has_two_confining_stresses(const std::vector<TestResult>& tests)
+{
+  for (const TestResult& test : tests)
+    if (test.run->confining_stress != tests.front().run->confining_stress) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string platen_name(Platen platen)
+{
+  if (platen == Platen::mean) return "mean of both platens";
+  return platen == Platen::top ? "top platen" : "bottom platen";
+}
+
+std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen)
+{
+  std::vector<SetResult> sets;
+  for (const CaseRun& run : runs) {
+    if (sets.empty() || sets.back().set != run.set()) sets.push_back({run.set(), {}, {}});
+    const Platen usual = run.encased() ? Platen::bottom : Platen::mean;
+    try {
+      sets.back().tests.push_back(evaluate_run(run, platen.value_or(usual)));
+    } catch (const InputError& problem) {
+      throw InputError("run '" + run.id + "': " + problem.what());
+    }
+  }
+  for (SetResult& set : sets) {
+    if (!has_two_confining_stresses(set.tests)) continue;
+    std::vector<StressPoint> peaks;
+    for (const TestResult& test : set.tests) peaks.push_back(test.peak_stress);
+    set.line = fit_failure_line(peaks);
+  }
+  return sets;
+}
+
+}  // namespace encased_column

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "analysis/mohr_coulomb.h"
+#include "analysis/peak_strength.h"
+#include "analysis/run_checks.h"
+#include "reading/case_run.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// Which platen's stress makes the deviatoric stress.
+enum class Platen { top, bottom, mean };
+
+std::string platen_name(Platen platen);
+
+/// What one run gave.
+struct TestResult {
+  const CaseRun* run;
+  Platen platen;
+  std::vector<double> axial_strain;       ///< [-]
+  std::vector<double> deviatoric_stress;  ///< of `platen` [Pa]
+  std::vector<double> volumetric_strain;  ///< [-]
+  PeakStrength peak;
+  double secant_modulus;    ///< E50 [Pa]
+  StressPoint peak_stress;  ///< with the confining stress measured at the peak
+  ShearRecord record;
+  std::vector<Check> checks;
+  std::optional<long> grains;
+};
+
+/// What the runs of one set gave together.
+struct SetResult {
+  std::string set;  ///< as in targets.csv
+  std::vector<TestResult> tests;
+  std::optional<FailureLine> line;  ///< if the tests had two confining stresses at least
+};
+
+/// Evaluates all runs, set by set. Without `platen`, plain tests use the mean of both platens and
+/// encased ones the bottom: the sleeve takes load, and the study read its base wall. The results
+/// refer to `runs`. Throws InputError, naming the run, where a history cannot be evaluated.
+std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen);
+
+}  // namespace encased_column

@@ -1,0 +1,147 @@
+#include "report/result_table.h"
+
+#include "core/constants.h"
+#include "core/input_error.h"
+
+#include <optional>
+
+namespace encased_column {
+
+namespace {
+
+std::string difference(double value, const std::optional<double>& published)
+{
+  if (!published || *published == 0.0) return "-";
+  const double percent = 100.0 * (value / *published - 1.0);
+  return (percent >= 0.0 ? "+" : "") + fixed(percent, 1);
+}
+
+std::string optional_text(const std::optional<double>& value)
+{
+  return value ? in_words(*value) : "-";
+}
+
+const std::vector<std::string> headings{"test",       "quantity",       "unit",  "found",
+                                        "laboratory", "difference [%]", "model", "difference [%]"};
+
+std::vector<std::string> as_words(const ResultRow& row)
+{
+  return {row.test,
+          row.quantity,
+          row.unit,
+          fixed(row.value, row.decimals),
+          optional_text(row.published.laboratory),
+          difference(row.value, row.published.laboratory),
+          optional_text(row.published.model),
+          difference(row.value, row.published.model)};
+}
+
+/// The porosities a run knows; the study gives one, of the sample as prepared in the laboratory.
+void add_porosities(const TestResult& test, const Targets& targets, std::vector<ResultRow>& rows)
+{
+  const CaseRun& run = *test.run;
+  const Published published = targets.find(run.set(), "porosity", "");
+  const auto add = [&](const std::string& which, double value) {
+    rows.push_back({run.id, "porosity, " + which, "-", value, 4, published});
+  };
+  const auto generated = run.variables.find("porosity");
+  if (generated != run.variables.end()) add("at generation", generated->second);
+  add("at start of shear, overlap counted", run.history.numbers("porosity [-]").front());
+  add("at start of shear, less overlap", run.history.numbers("porosity_less_overlap [-]").front());
+}
+
+void add_radial_strains(const TestResult& test, const Targets& targets,
+                        std::vector<ResultRow>& rows)
+{
+  const CaseRun& run = *test.run;
+  for (const char* height : {"25", "50", "75"}) {
+    const std::string quantity =
+        std::string("radial strain at 0.") + height + "H at the end of the test";
+    const std::string column = std::string("radial_strain_") + height + " [-]";
+    rows.push_back({run.id, quantity, "%", 100.0 * run.history.numbers(column).back(), 2,
+                    targets.find(run.set(), quantity, confining_condition(run.confining_stress))});
+  }
+}
+
+}  // namespace
+
+std::vector<ResultRow> result_rows(const SetResult& set, const Targets& targets)
+{
+  std::vector<ResultRow> rows;
+  const auto condition = [](const TestResult& test) {
+    return confining_condition(test.run->confining_stress);
+  };
+  for (const TestResult& test : set.tests)
+    rows.push_back({test.run->id, "secant modulus E50", "MPa", test.secant_modulus / 1e6, 2,
+                    targets.find(set.set, "secant modulus E50", condition(test))});
+  for (const TestResult& test : set.tests)
+    rows.push_back({test.run->id, "peak deviator q", "kPa", test.peak.reported / 1e3, 1,
+                    targets.find(set.set, "peak deviator q", condition(test))});
+  if (set.line) {
+    const Strength strength = strength_of(*set.line);
+    rows.push_back({"all", "apparent friction angle phi", "deg",
+                    strength.friction_angle * 180.0 / pi, 2,
+                    targets.find(set.set, "apparent friction angle", "")});
+    rows.push_back({"all", "apparent cohesion c", "kPa", strength.cohesion / 1e3, 2,
+                    targets.find(set.set, "apparent cohesion", "")});
+  }
+  for (const TestResult& test : set.tests) add_porosities(test, targets, rows);
+  for (const TestResult& test : set.tests)
+    if (test.grains)
+      rows.push_back({test.run->id, "number of grains", "-", static_cast<double>(*test.grains), 0,
+                      targets.find(set.set, "number of particles", "")});
+  if (set.tests.front().run->encased())
+    for (const TestResult& test : set.tests) add_radial_strains(test, targets, rows);
+  return rows;
+}
+
+std::vector<std::string> result_notes(const SetResult& set)
+{
+  std::vector<std::string> notes;
+  for (const TestResult& test : set.tests) {
+    if (test.peak.noisy)
+      notes.push_back("Peak of " + test.run->id + ": the largest average over 0.5 % strain; " +
+                      "single samples reach " + fixed(test.peak.raw / 1e3, 1) + " kPa.");
+    if (test.peak.axial_strain >= test.axial_strain.back() - peak_averaging_width)
+      notes.push_back("Peak of " + test.run->id + ": at the end of the test, " +
+                      fixed(100.0 * test.axial_strain.back(), 1) +
+                      " % strain; the curve may still rise.");
+  }
+  if (!set.line)
+    notes.push_back("No friction angle and cohesion: they take two confining stresses at least.");
+  return notes;
+}
+
+std::string result_csv(const std::vector<SetResult>& sets, const Targets& targets)
+{
+  Rows rows{{"set", "test", "quantity", "unit", "found", "laboratory",
+             "difference to laboratory [%]", "model", "difference to model [%]"}};
+  for (const SetResult& set : sets)
+    for (const ResultRow& row : result_rows(set, targets)) {
+      std::vector<std::string> words = as_words(row);
+      for (std::string& word : words)
+        if (word == "-" && &word != &words[2]) word.clear();
+      words.insert(words.begin(), set.set);
+      rows.push_back(words);
+    }
+  return comma_separated(rows);
+}
+
+std::string result_text(const std::vector<SetResult>& sets, const Targets& targets)
+{
+  std::string text;
+  for (const SetResult& set : sets) {
+    const TestResult& first = set.tests.front();
+    text += (text.empty() ? "" : "\n");
+    text += std::string(first.run->encased() ? "Encased" : "Plain") + " triaxial tests";
+    if (!first.run->resolution.empty()) text += ", resolution " + first.run->resolution;
+    text += ", q from the " + platen_name(first.platen) + "; laboratory and model: the study's\n\n";
+    Rows rows{headings};
+    for (const ResultRow& row : result_rows(set, targets)) rows.push_back(as_words(row));
+    text += aligned(rows, {false, false, false, true, true, true, true, true});
+    for (const std::string& note : result_notes(set)) text += note + '\n';
+  }
+  return text;
+}
+
+}  // namespace encased_column
