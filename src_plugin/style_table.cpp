@@ -6,6 +6,7 @@
 #include "dynamics/fix_motion.h"
 #include "dynamics/solve_command.h"
 #include "measure/fix_specimen_history.h"
+#include "output/fix_output_grains.h"
 #include "packing/create_packing_command.h"
 #include "packing/fix_grow_radius.h"
 #include "servo/create_wall_mesh_command.h"
@@ -21,6 +22,7 @@ const std::vector<Style>& style_table()
       {"create_wall_mesh", make<CreateWallMeshCommand>()},
       {"grow/radius", make<FixGrowRadius>()},
       {"motion", make<FixMotion>()},
+      {"output/grains", make<FixOutputGrains>()},
       {"servo/cylinder", make<FixServoCylinder>()},
       {"servo/platen", make<FixServoPlaten>()},
       {"solve", make<SolveCommand>()},

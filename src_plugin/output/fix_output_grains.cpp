@@ -1,0 +1,213 @@
+#include "output/fix_output_grains.h"
+
+#include "core/input_error.h"
+#include "output/whole_file.h"
+
+#include "memory.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+namespace encased_column {
+
+namespace fs = std::filesystem;
+
+const KeywordTable FixOutputGrains::keywords{
+    {"every", 1, "steps", "one file every so many steps"},
+    {"folder", 1, "-", "folder of the files, created if missing"},
+    {"name", 1, "-", "name of the series (default grains)"},
+    {"compress", 1, "-", "yes (default) or no"},
+    {"rotation", 1, "-", "yes (default) or no: no array and no cost per step"},
+};
+
+FixOutputGrains::FixOutputGrains(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg)
+{
+  try {
+    read_keywords(narg, arg);
+    if (!atom->radius_flag)
+      throw InputError("'output/grains' needs grains with a radius, write 'atom_style granular'");
+    prepare_folder();
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  restart_global = 1;
+  restart_peratom = 1;
+  create_attribute = 1;
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+  for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
+}
+
+FixOutputGrains::~FixOutputGrains()
+{
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+  memory->destroy(motion_);
+}
+
+void FixOutputGrains::read_keywords(int narg, char** arg)
+{
+  const Options options = keywords.read(narg, arg);
+  nevery = static_cast<int>(options.integer("every", 1));
+  folder_ = options.word("folder");
+  name_ = options.word("name", "grains");
+  if (name_.find_first_of("/\\") != std::string::npos)
+    throw InputError("'name' must not hold a slash, found '" + name_ +
+                     "', write the path as 'folder ...'");
+  options_.compress = options.choice("compress", {"yes", "no"}, "yes") == "yes";
+  options_.rotation = options.choice("rotation", {"yes", "no"}, "yes") == "yes";
+}
+
+void FixOutputGrains::prepare_folder()
+{
+  int usable = 1;
+  if (comm->me == 0) {
+    std::error_code failure;
+    fs::create_directories(folder_, failure);
+    // an empty series now, rather than a run that cannot be saved hours later
+    usable = write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text());
+  }
+  MPI_Bcast(&usable, 1, MPI_INT, 0, world);
+  if (!usable)
+    throw InputError("'folder' must be a folder that can be written, found '" + folder_ +
+                     "', write another path or mend its rights");
+}
+
+int FixOutputGrains::setmask()
+{
+  using namespace LAMMPS_NS::FixConst;
+  return END_OF_STEP | (options_.rotation ? FINAL_INTEGRATE : 0);
+}
+
+void FixOutputGrains::init()
+{
+  asked_step_ = -1;  // forces are computed again for the same step
+}
+
+// The host restarts at the step but, once a run begins, at time zero.
+void FixOutputGrains::setup(int)
+{
+  if (time_of_restart_) time_before_ = *time_of_restart_ - update->get_cur_time();
+  time_of_restart_.reset();
+  if (!written_) write();
+}
+
+void FixOutputGrains::final_integrate()
+{
+  const double dt = update->dt;
+  double** omega = atom->omega;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit)
+      for (int k = 0; k < 3; ++k) motion_[i][3 + k] += omega[i][k] * dt;
+}
+
+int FixOutputGrains::modify_param(int narg, char** arg)
+{
+  if (std::strcmp(arg[0], "reset") == 0) {
+    for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
+    return 1;
+  }
+  if (narg > 1 && std::strcmp(arg[0], "write") == 0 && std::strcmp(arg[1], "now") == 0) {
+    write();
+    return 2;
+  }
+  return 0;
+}
+
+// The last step is counted too: `fix_modify ID write now` may follow it.
+bool FixOutputGrains::wants_contacts(LAMMPS_NS::bigint step) const
+{
+  if (written_ && step % nevery != 0 && step != update->laststep) return false;
+  if (asked_step_ != step) {
+    asked_step_ = step;
+    contacts_.assign(atom->nlocal, 0);
+  }
+  return true;
+}
+
+// A pair across a border of ranks is seen on both, each time with its own grain as i.
+void FixOutputGrains::add_contact(const Contact& contact)
+{
+  ++contacts_[contact.i];
+  if (contact.j >= 0 && contact.j < atom->nlocal) ++contacts_[contact.j];
+}
+
+bool FixOutputGrains::contacts_are_counted() const
+{
+  return asked_step_ == update->ntimestep &&
+         contacts_.size() == static_cast<std::size_t>(atom->nlocal);
+}
+
+GrainRecord FixOutputGrains::record_of(int i) const
+{
+  GrainRecord grain{};
+  grain.id = atom->tag[i];
+  grain.type = atom->type[i];
+  grain.coordination_number = contacts_are_counted() ? contacts_[i] : -1;
+  grain.radius = atom->radius[i];
+  double unwrapped[3];
+  domain->unmap(atom->x[i], atom->image[i], unwrapped);
+  for (int k = 0; k < 3; ++k) {
+    grain.position[k] = atom->x[i][k];
+    grain.displacement[k] = unwrapped[k] - motion_[i][k];
+    grain.rotation[k] = motion_[i][3 + k];
+    grain.velocity[k] = atom->v[i][k];
+  }
+  return grain;
+}
+
+/// On the first rank, by id, so that the file does not depend on the number of ranks; empty on the
+/// others.
+std::vector<GrainRecord> FixOutputGrains::grains_of_all_ranks() const
+{
+  std::vector<GrainRecord> mine;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit) mine.push_back(record_of(i));
+
+  const int bytes = static_cast<int>(mine.size() * sizeof(GrainRecord));
+  std::vector<int> counts(comm->nprocs), starts(comm->nprocs, 0);
+  MPI_Gather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
+  for (int rank = 1; rank < comm->nprocs; ++rank)
+    starts[rank] = starts[rank - 1] + counts[rank - 1];
+  std::vector<GrainRecord> all;
+  if (comm->me == 0)
+    all.resize(static_cast<std::size_t>(starts.back() + counts.back()) / sizeof(GrainRecord));
+  MPI_Gatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0,
+              world);
+  std::sort(all.begin(), all.end(),
+            [](const GrainRecord& a, const GrainRecord& b) { return a.id < b.id; });
+  return all;
+}
+
+double FixOutputGrains::time_now() const
+{
+  return time_of_restart_ ? *time_of_restart_ : time_before_ + update->get_cur_time();
+}
+
+std::string FixOutputGrains::file_of_step(LAMMPS_NS::bigint step) const
+{
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%09lld", static_cast<long long>(step));
+  return name_ + "_" + digits + ".vtp";
+}
+
+void FixOutputGrains::write()
+{
+  written_ = true;
+  const std::vector<GrainRecord> grains = grains_of_all_ranks();
+  if (comm->me != 0) return;
+  const std::string file = file_of_step(update->ntimestep);
+  collection_.add(time_now(), file);
+  if (!write_grains(folder_ + "/" + file, grains, options_) ||
+      !write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text())) {
+    const std::string problem = "fix output/grains cannot write '" + folder_ + "/" + file +
+                                "', free some space or mend the folder's rights";
+    error->one(FLERR, problem.c_str());
+  }
+}
+
+}  // namespace encased_column

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/keyword_table.h"
+#include "host/contact_probe.h"
+#include "host/host_types.h"
+#include "output/pvd_collection.h"
+#include "output/vtk_grains_writer.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// `fix output/grains`: the group's grains as a time series that ParaView opens.
+class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe {
+ public:
+  static const KeywordTable keywords;
+
+  FixOutputGrains(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+  ~FixOutputGrains() override;
+
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void final_integrate() override;
+  void end_of_step() override { write(); }
+  int modify_param(int narg, char** arg) override;
+
+  bool wants_contacts(LAMMPS_NS::bigint step) const override;
+  void add_contact(const Contact& contact) override;
+
+  void grow_arrays(int capacity) override;
+  void copy_arrays(int from, int to, int) override;
+  void set_arrays(int i) override;
+  int pack_exchange(int i, double* buffer) override;
+  int unpack_exchange(int i, double* buffer) override;
+  int pack_restart(int i, double* buffer) override;
+  void unpack_restart(int i, int nth) override;
+  int size_restart(int) override { return 1 + values_per_grain; }
+  int maxsize_restart() override { return 1 + values_per_grain; }
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+  double memory_usage() override;
+
+ private:
+  /// Where displacement starts [m], then the rotation so far [rad].
+  static constexpr int values_per_grain = 6;
+
+  void read_keywords(int narg, char** arg);
+  void prepare_folder();
+  bool contacts_are_counted() const;
+  GrainRecord record_of(int i) const;
+  std::vector<GrainRecord> grains_of_all_ranks() const;
+  double time_now() const;
+  std::string file_of_step(LAMMPS_NS::bigint step) const;
+  void write();
+
+  std::string folder_;
+  std::string name_;
+  GrainFileOptions options_;
+
+  double** motion_ = nullptr;              ///< [grain][values_per_grain]
+  std::optional<double> time_of_restart_;  ///< until the first run after it [s]
+  double time_before_ = 0.0;               ///< of the runs before a restart [s]
+  bool written_ = false;                   ///< since the fix was made
+  // Set where the contact law asks, once per step and before the first contact of it.
+  mutable LAMMPS_NS::bigint asked_step_ = -1;
+  mutable std::vector<int> contacts_;  ///< of each grain of this rank
+
+  PvdCollection collection_;  ///< used on the first rank only
+};
+
+}  // namespace encased_column

@@ -1,0 +1,60 @@
+#include "output/pvd_collection.h"
+
+#include <gtest/gtest.h>
+
+using namespace encased_column;
+
+// The form is that of ParaView's documentation of the PVD file format.
+TEST(PvdCollection, ListsItsFilesAsParaViewReadsThem)
+{
+  PvdCollection series;
+  series.add(0.0, "a_0.vtp");
+  series.add(0.1, "a_1.vtp");
+  EXPECT_EQ(series.text(),
+            "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+            "  <Collection>\n"
+            "    <DataSet timestep=\"0\" part=\"0\" file=\"a_0.vtp\"/>\n"
+            "    <DataSet timestep=\"0.1\" part=\"0\" file=\"a_1.vtp\"/>\n"
+            "  </Collection>\n"
+            "</VTKFile>\n");
+}
+
+TEST(PvdCollection, IsCompleteBeforeTheFirstFile)
+{
+  EXPECT_NE(PvdCollection().text().find("</VTKFile>"), std::string::npos);
+}
+
+TEST(PvdCollection, DropsWhatIsNotEarlierWhenTheRunGoesBack)
+{
+  PvdCollection series;
+  for (const double time : {0.0, 1.0, 2.0, 3.0})
+    series.add(time, "a_" + std::to_string(time) + ".vtp");
+  series.add(1.5, "b.vtp");
+  ASSERT_EQ(series.entries().size(), 3u);
+  EXPECT_EQ(series.entries()[1].time, 1.0);
+  EXPECT_EQ(series.entries()[2].file, "b.vtp");
+}
+
+TEST(PvdCollection, HoldsOneFilePerTime)
+{
+  PvdCollection series;
+  series.add(0.5, "a.vtp");
+  series.add(0.5, "a.vtp");
+  EXPECT_EQ(series.entries().size(), 1u);
+}
+
+TEST(PvdCollection, KeepsTimesApartThatDifferInTheTenthDigit)
+{
+  PvdCollection series;
+  series.add(100.0, "a.vtp");
+  series.add(100.0000001, "b.vtp");
+  EXPECT_NE(series.text().find("\"100.0000001\""), std::string::npos);
+}
+
+TEST(PvdCollection, WritesNamesThatXmlWouldMistake)
+{
+  PvdCollection series;
+  series.add(0.0, "sand & <gravel>.vtp");
+  EXPECT_NE(series.text().find("\"sand &amp; &lt;gravel>.vtp\""), std::string::npos);
+}
