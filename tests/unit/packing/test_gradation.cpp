@@ -85,16 +85,23 @@ TEST(CharacteristicSizes, OfCinderGravelGiveThePublishedCoefficients)
   EXPECT_NEAR(sizes.curvature(), 1.64, 0.005);
 }
 
-// The study's Table 7: what it prints of S3 and S4 follows from the percent between 10 and 20 mm
-// alone when the curve is read log-uniform, so that is how the study reads its curves.
+// The study's Table 7, to its last digit. d60 of S3 follows from the percent between 10 and 20 mm
+// alone when the curve is read log-uniform: so that is how the study reads its curves.
 TEST(CharacteristicSizes, OfTheStudysOtherGradationsAgreeWithItsTable)
 {
-  const Gradation s3{
-      {0.001, 0.002, 9.2}, {0.002, 0.005, 7.8}, {0.005, 0.010, 23.0}, {0.010, 0.020, 60.0}};
-  const CharacteristicSizes sizes = characteristic_sizes(s3, log_uniform);
-  EXPECT_NEAR(sizes.d10, 2.2e-3, 0.05e-3);
-  EXPECT_NEAR(sizes.d30, 7.4e-3, 0.05e-3);
-  EXPECT_NEAR(sizes.d60, 12.6e-3, 0.05e-3);
+  const auto expect_sizes = [](const Gradation& gradation, double d10, double d30, double d60) {
+    const CharacteristicSizes sizes = characteristic_sizes(gradation, log_uniform);
+    EXPECT_NEAR(sizes.d10, d10, 0.05e-3);
+    EXPECT_NEAR(sizes.d30, d30, 0.05e-3);
+    EXPECT_NEAR(sizes.d60, d60, 0.06e-3);
+  };
+  const auto classes = [](double m1, double m2, double m3, double m4) {
+    return Gradation{
+        {0.001, 0.002, m1}, {0.002, 0.005, m2}, {0.005, 0.010, m3}, {0.010, 0.020, m4}};
+  };
+  expect_sizes(classes(8.4, 6.6, 45.0, 40.0), 2.5e-3, 6.3e-3, 10.0e-3);
+  expect_sizes(classes(9.2, 7.8, 23.0, 60.0), 2.2e-3, 7.4e-3, 12.6e-3);
+  expect_sizes(classes(9.5, 9.5, 1.0, 80.0), 2.1e-3, 10.9e-3, 14.2e-3);
 }
 
 TEST(CharacteristicSizes, OfGivenGrainsCountTheirMass)
