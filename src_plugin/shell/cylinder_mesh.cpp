@@ -1,0 +1,68 @@
+#include "shell/cylinder_mesh.h"
+
+#include "core/constants.h"
+#include "core/input_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace encased_column {
+
+namespace {
+
+void require_positive(const char* what, double found)
+{
+  if (!(found > 0.0))
+    throw InputError(std::string(what) + " of the sleeve must be larger than 0, found " +
+                     in_words(found) + ": write a length in m");
+}
+
+}  // namespace
+
+CylinderCounts cylinder_counts(const CylinderShape& shape)
+{
+  require_positive("radius", shape.radius);
+  require_positive("height", shape.height);
+  require_positive("edge", shape.edge);
+  if (shape.edge > shape.radius)
+    throw InputError("edge of the sleeve must not exceed its radius " + in_words(shape.radius) +
+                     " m, found " + in_words(shape.edge) + ": write a shorter edge");
+  const double row = shape.edge * std::sqrt(0.75);  // height of an equilateral facet
+  const int around = static_cast<int>(std::lround(2.0 * pi * shape.radius / shape.edge));
+  return {around, 1 + std::max(1, static_cast<int>(std::lround(shape.height / row)))};
+}
+
+SurfaceMesh cylinder_mesh(const CylinderShape& shape)
+{
+  const auto [around, rings] = cylinder_counts(shape);
+  SurfaceMesh mesh;
+  mesh.node.reserve(static_cast<std::size_t>(around) * rings);
+  mesh.facet.reserve(2 * static_cast<std::size_t>(around) * (rings - 1));
+  for (int ring = 0; ring < rings; ++ring)
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2.0 * pi * (i + 0.5 * (ring % 2)) / around;
+      mesh.node.emplace_back(shape.center_x + shape.radius * std::cos(angle),
+                             shape.center_y + shape.radius * std::sin(angle),
+                             shape.bottom + shape.height * ring / (rings - 1));
+    }
+  const int turn = around;
+  for (int ring = 0; ring + 1 < rings; ++ring)
+    for (int i = 0; i < around; ++i) {
+      const int j = (i + 1) % turn;
+      const int low = ring * turn, high = low + turn;
+      if (ring % 2 == 0) {  // the upper ring is half an edge ahead
+        mesh.facet.push_back({low + i, low + j, high + i});
+        mesh.facet.push_back({low + j, high + j, high + i});
+      } else {
+        mesh.facet.push_back({low + i, low + j, high + j});
+        mesh.facet.push_back({low + i, high + j, high + i});
+      }
+    }
+  if (shape.facing == Facing::inward)
+    for (Facet& facet : mesh.facet) std::swap(facet[1], facet[2]);
+  return mesh;
+}
+
+}  // namespace encased_column

@@ -1,0 +1,189 @@
+#include "shell/shell_element.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace encased_column {
+
+namespace {
+
+using Tilts = Eigen::Matrix<double, 6, 1>;
+
+/// Share of a facet's area in its radius of gyration squared, as in Hughes, Cohen and Haroun,
+/// Nucl. Eng. Des. 46 (1978) 203-222, who raise the rotary inertia of thin shells to A/8.
+constexpr double area_share = 0.125;
+
+Triangle2 in_plane(const FacetVectors& corner, const Vec3& first, const Vec3& second)
+{
+  Triangle2 plane;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 from_first = corner[i] - corner[0];
+    plane.col(i) = Vec2(first.dot(from_first), second.dot(from_first));
+  }
+  return plane;
+}
+
+}  // namespace
+
+ShellElement::ShellElement(const FacetVectors& corner, const Vec3& axis,
+                           const ShellMaterial& material)
+{
+  const Vec3 side = corner[1] - corner[0];
+  const Vec3 twice_area = side.cross(corner[2] - corner[0]);
+  area_ = 0.5 * twice_area.norm();
+  if (!(area_ > 1e-12 * side.squaredNorm()))
+    throw InputError("facet of the shell has no area, found " + in_words(area_) +
+                     " m2: remove it from the mesh");
+  normal_ = twice_area.normalized();
+  axial_ = axis - normal_.dot(axis) * normal_;
+  if (axial_.norm() < 1e-6 * axis.norm()) axial_ = side;
+  axial_.normalize();
+  hoop_ = axial_.cross(normal_);
+  const Triangle2 plane = in_plane(corner, hoop_, axial_);
+  gradient_ = area_coordinate_gradients(plane);
+  bending_ = dkt_tilt_stiffness(plane, material.bending());
+}
+
+CorotationalFrame ShellElement::frame(const FacetVectors& x) const
+{
+  // The gradients sum to zero, so differences to the first node do; they also keep the digits.
+  const Vec3 a = x[1] - x[0], b = x[2] - x[0];
+  return {gradient_(0, 1) * a + gradient_(0, 2) * b, gradient_(1, 1) * a + gradient_(1, 2) * b};
+}
+
+FacetLoads ShellElement::loads(const ShellMaterial& material, const FacetVectors& x,
+                               const FacetRotations& r) const
+{
+  const CorotationalFrame frame = this->frame(x);
+  const PlaneVector strain = membrane_strain(frame);
+  const PlaneVector n = material.membrane_force(strain);
+  const MembranePull pull(frame, n);
+  Vec3 p1 = area_ * pull.p1, p2 = area_ * pull.p2;
+
+  FacetLoads out;
+  out.energy = area_ * ShellMaterial::membrane_energy(strain, n);
+  if (material.bends()) {
+    std::array<Vec3, 3> director;
+    Tilts tilt;
+    for (int i = 0; i < 3; ++i) {
+      director[i] = frame.to_local(r[i] * normal_);
+      const DirectorTilt t(director[i]);
+      tilt(2 * i) = t.x;
+      tilt(2 * i + 1) = t.y;
+    }
+    const Tilts slope = bending_ * tilt;
+    out.energy += 0.5 * tilt.dot(slope);
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 conjugate =
+          DirectorTilt(director[i]).work_conjugate(director[i], slope(2 * i), slope(2 * i + 1));
+      out.moment[i] = -frame.to_global(conjugate);
+      sum += conjugate;
+    }
+    // The frame turns with the nodes; its spin about e1, e2 follows from the rise of g1, g2 along
+    // e3, its spin about e3 from the polar rotation. The conjugate of that spin is -sum.
+    const double inverse = 1.0 / frame.area_ratio, about = sum.z() / frame.trace();
+    p1 += inverse * (sum.x() * frame.u12 + sum.y() * frame.u22) * frame.e3 - about * frame.e2;
+    p2 -= inverse * (sum.x() * frame.u11 + sum.y() * frame.u12) * frame.e3 - about * frame.e1;
+  } else {
+    out.moment.fill(Vec3::Zero());
+  }
+  for (int i = 1; i < 3; ++i) out.force[i] = -gradient_(0, i) * p1 - gradient_(1, i) * p2;
+  out.force[0] = -(out.force[1] + out.force[2]);
+  return out;
+}
+
+FacetState ShellElement::state(const ShellMaterial& material, const FacetVectors& x,
+                               const FacetRotations& r) const
+{
+  const CorotationalFrame frame = this->frame(x);
+  FacetState out;
+  out.strain = membrane_strain(frame);
+  out.membrane_force = material.membrane_force(out.strain);
+  out.membrane_energy = area_ * ShellMaterial::membrane_energy(out.strain, out.membrane_force);
+  out.area_ratio = frame.area_ratio;
+  const double mean = 0.5 * (out.strain(0) + out.strain(1));
+  const double radius = 0.5 * std::hypot(out.strain(0) - out.strain(1), out.strain(2));
+  out.largest_strain = mean + radius;
+  out.smallest_strain = mean - radius;
+
+  Tilts tilt;
+  Eigen::Matrix<double, 9, 1> plate = Eigen::Matrix<double, 9, 1>::Zero();
+  Triangle2 plane;
+  for (int i = 0; i < 3; ++i) {
+    const DirectorTilt t(frame.to_local(r[i] * normal_));
+    tilt(2 * i) = plate(3 * i + 1) = t.x;
+    tilt(2 * i + 1) = plate(3 * i + 2) = t.y;
+    // The opposite side follows from the gradient: the reference corners need not be kept.
+    const Vec2 g = gradient_.col(i);
+    const Vec2 opposite = 2.0 * area_ * Vec2(g.y(), -g.x());
+    if (i == 0) plane.col(1) = opposite;  // side from corner 1 to 2, used below
+    if (i == 2) plane.col(0) = opposite;  // side from corner 0 to 1
+  }
+  const Vec2 first = plane.col(0), second = plane.col(1);
+  plane.col(0) = Vec2::Zero();
+  plane.col(1) = first;
+  plane.col(2) = first + second;
+  out.curvature = dkt_curvature(plane, Vec3::Constant(1.0 / 3.0)) * plate;
+  out.moment = material.bending() * out.curvature;
+  out.bending_energy = 0.5 * tilt.dot(bending_ * tilt);
+  return out;
+}
+
+double ShellElement::gyration_square(const ShellMaterial& material) const
+{
+  const double t = material.constants().thickness;
+  return std::max(t * t / 12.0, area_share * area_);
+}
+
+StiffnessBound ShellElement::stiffness_bound(const ShellMaterial& material,
+                                             const FacetVectors& x) const
+{
+  const CorotationalFrame frame = this->frame(x);
+  const PlaneVector n = material.membrane_force(membrane_strain(frame));
+  const Mat3& d = material.membrane();
+
+  // Largest eigenvalue of sum_a grad_a grad_a^T.
+  const Mat2 spread = gradient_ * gradient_.transpose();
+  const double spread_bound =
+      0.5 * spread.trace() + std::hypot(0.5 * (spread(0, 0) - spread(1, 1)), spread(0, 1));
+  // In its plane: the law on symmetric parts of the gradient (shear counts twice: two components
+  // make one angle), the tension on the antisymmetric one.
+  const double direct = 0.5 * (d(0, 0) + d(1, 1)) + std::hypot(0.5 * (d(0, 0) - d(1, 1)), d(0, 1));
+  const double turning = (n(0) + n(1)) / frame.trace();
+  const double in_plane = area_ * spread_bound * std::max({direct, 2.0 * d(2, 2), turning});
+
+  // Across it: pre-tension U^-1 N (largest principal value, bounded by the sum of the parts), and
+  // bending through the tilts and the turn of the facet.
+  const double inverse = 1.0 / frame.area_ratio;
+  const double tension = std::max(0.0, 0.5 * (n(0) + n(1)) + std::hypot(0.5 * (n(0) - n(1)), n(2)));
+  const double smallest_stretch =
+      0.5 * frame.trace() - std::hypot(0.5 * (frame.u11 - frame.u22), frame.u12);
+  double across = area_ * spread_bound * tension / std::max(smallest_stretch, 1e-3);
+
+  const double square = gyration_square(material);
+  double bending = 0.0;
+  if (material.bends()) {
+    // Columns: rise of the three nodes, then their tilts in units of the gyration radius.
+    Eigen::Matrix<double, 6, 9> to_tilt = Eigen::Matrix<double, 6, 9>::Zero();
+    const double length = std::sqrt(square);
+    for (int a = 0; a < 3; ++a) {
+      const double g1 = gradient_(0, a), g2 = gradient_(1, a);
+      const double spin_x = inverse * (frame.u11 * g2 - frame.u12 * g1);
+      const double spin_y = inverse * (frame.u12 * g2 - frame.u22 * g1);
+      for (int i = 0; i < 3; ++i) {
+        to_tilt(2 * i, a) = -spin_x;
+        to_tilt(2 * i + 1, a) = -spin_y;
+      }
+      to_tilt(2 * a, 3 + 2 * a) = 1.0 / length;
+      to_tilt(2 * a + 1, 4 + 2 * a) = 1.0 / length;
+    }
+    const PlateStiffness whole = to_tilt.transpose() * bending_ * to_tilt;
+    Eigen::SelfAdjointEigenSolver<PlateStiffness> solver(whole, Eigen::EigenvaluesOnly);
+    bending = solver.eigenvalues()(8);
+  }
+  return {std::max(in_plane, across + bending), bending * square};
+}
+
+}  // namespace encased_column

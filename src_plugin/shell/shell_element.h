@@ -1,0 +1,81 @@
+#pragma once
+
+#include "shell/corotational_frame.h"
+#include "shell/cst_membrane.h"
+#include "shell/dkt_bending.h"
+#include "shell/shell_material.h"
+
+#include <array>
+
+namespace encased_column {
+
+/// Three vectors, one per node of a facet.
+using FacetVectors = std::array<Vec3, 3>;
+using FacetRotations = std::array<Mat3, 3>;
+
+/// What a facet does to its nodes.
+struct FacetLoads {
+  FacetVectors force;   ///< [N]
+  FacetVectors moment;  ///< about the node, global axes [N m]
+  double energy;        ///< membrane and bending [J]
+};
+
+/// What a user looks at; material axes (hoop, axial), forces per reference length.
+struct FacetState {
+  PlaneVector strain;          ///< engineering (e_hoop, e_axial, shear angle) [-]
+  PlaneVector membrane_force;  ///< (N_hoop, N_axial, N_shear) [N/m]; the first is the hoop tension
+  PlaneVector curvature;       ///< at the centroid (hoop, axial, 2 twist) [1/m]
+  PlaneVector moment;          ///< t_b^3 D / 12 times the curvature [N m/m]
+  double largest_strain;       ///< principal [-]
+  double smallest_strain;      ///< principal [-]
+  double area_ratio;           ///< current over reference area [-]
+  double membrane_energy;      ///< [J]
+  double bending_energy;       ///< [J]
+};
+
+/// Upper bounds of a facet's stiffness: its stiffness matrix is smaller, as a quadratic form, than
+/// the diagonal of these, so sums over the facets of a node bound the whole sleeve.
+struct StiffnessBound {
+  double translation;  ///< per node [N/m]
+  double rotation;     ///< per node [N m/rad]
+};
+
+/// A corotational three-node shell facet: CST membrane, DKT bending. Formulation: theory.md.
+class ShellElement {
+ public:
+  /// `corner` are the reference positions [m]; the material's axial direction is `axis` projected
+  /// on the facet (a facet at right angles to it takes its first side), hoop is axial x normal.
+  /// Throws InputError for a facet without area.
+  ShellElement(const FacetVectors& corner, const Vec3& axis, const ShellMaterial& material);
+
+  double area() const { return area_; }
+  const Vec3& normal() const { return normal_; }
+  const Vec3& hoop_direction() const { return hoop_; }
+  const Vec3& axial_direction() const { return axial_; }
+
+  /// Forces, moments and energy at node positions `x` [m] and rotations `r` from the reference:
+  /// minus the exact gradient of the energy.
+  FacetLoads loads(const ShellMaterial& material, const FacetVectors& x,
+                   const FacetRotations& r) const;
+
+  FacetState state(const ShellMaterial& material, const FacetVectors& x,
+                   const FacetRotations& r) const;
+
+  /// Bounds at the current positions, pre-tension included.
+  StiffnessBound stiffness_bound(const ShellMaterial& material, const FacetVectors& x) const;
+
+  /// Square of the length [m^2] that relates rotational to translational inertia: the facet's own
+  /// rotatory inertia per mass (t^2/12), but at least a share of its area, so that the rotations
+  /// never set the step.
+  double gyration_square(const ShellMaterial& material) const;
+
+ private:
+  CorotationalFrame frame(const FacetVectors& x) const;
+
+  Vec3 normal_, hoop_, axial_;
+  double area_;
+  Triangle2 gradient_;     ///< of the area coordinates, material axes [1/m]
+  TiltStiffness bending_;  ///< [N m/rad]
+};
+
+}  // namespace encased_column

@@ -1,0 +1,187 @@
+#include "shell/shell_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace encased_column {
+
+namespace {
+
+/// Local damping per component, as in Itasca's codes: opposes the motion in proportion to the
+/// unbalanced load, so a steady motion is not damped.
+Vec3 damped(const Vec3& load, const Vec3& velocity, double alpha)
+{
+  Vec3 out;
+  for (int i = 0; i < 3; ++i) {
+    const double sign = (velocity(i) > 0.0) - (velocity(i) < 0.0);
+    out(i) = load(i) - alpha * std::abs(load(i)) * sign;
+  }
+  return out;
+}
+
+}  // namespace
+
+ShellModel::ShellModel(const SurfaceMesh& mesh, const ShellConstants& constants, const Vec3& axis)
+    : material_(constants),
+      facet_(mesh.facet),
+      reference_(mesh.node),
+      position_(mesh.node)
+{
+  const std::size_t n = mesh.node.size();
+  velocity_.assign(n, Vec3::Zero());
+  angular_velocity_.assign(n, Vec3::Zero());
+  load_.assign(2 * n, Vec3::Zero());
+  rotation_.assign(n, Quaternion::Identity());
+  rotation_matrix_.assign(n, Mat3::Identity());
+  mass_.assign(n, 0.0);
+  inertia_.assign(n, 0.0);
+  element_.reserve(facet_.size());
+  for (int f = 0; f < facets(); ++f) {
+    element_.emplace_back(corners(f), axis, material_);
+    const ShellElement& element = element_.back();
+    const double share = constants.density * constants.thickness * element.area() / 3.0;
+    for (const int node : facet_[f]) {
+      mass_[node] += share;
+      inertia_[node] += share * element.gyration_square(material_);
+    }
+  }
+  true_mass_ = mass_;
+}
+
+void ShellModel::set_state(const std::vector<Vec3>& position,
+                           const std::vector<Quaternion>& rotation,
+                           const std::vector<Vec3>& velocity,
+                           const std::vector<Vec3>& angular_velocity)
+{
+  position_ = position;
+  rotation_ = rotation;
+  velocity_ = velocity;
+  angular_velocity_ = angular_velocity;
+  for (int i = 0; i < nodes(); ++i) rotation_matrix_[i] = rotation_[i].toRotationMatrix();
+}
+
+void ShellModel::set_masses(const std::vector<double>& mass, const std::vector<double>& inertia)
+{
+  mass_ = mass;
+  inertia_ = inertia;
+}
+
+void ShellModel::clear_loads()
+{
+  std::fill(load_.begin(), load_.end(), Vec3::Zero());
+}
+
+FacetVectors ShellModel::corners(int facet) const
+{
+  const Facet& node = facet_[facet];
+  return {position_[node[0]], position_[node[1]], position_[node[2]]};
+}
+
+FacetRotations ShellModel::corner_rotations(int facet) const
+{
+  const Facet& node = facet_[facet];
+  return {rotation_matrix_[node[0]], rotation_matrix_[node[1]], rotation_matrix_[node[2]]};
+}
+
+FacetState ShellModel::facet_state(int facet) const
+{
+  return element_[facet].state(material_, corners(facet), corner_rotations(facet));
+}
+
+double ShellModel::add_internal_loads(int first, int last)
+{
+  double energy = 0.0;
+  for (int f = first; f < last; ++f) {
+    const FacetLoads loads = element_[f].loads(material_, corners(f), corner_rotations(f));
+    for (int i = 0; i < 3; ++i) {
+      force(facet_[f][i]) += loads.force[i];
+      moment(facet_[f][i]) += loads.moment[i];
+    }
+    energy += loads.energy;
+  }
+  return energy;
+}
+
+void ShellModel::advance(double dt, double alpha)
+{
+  for (int i = 0; i < nodes(); ++i) {
+    velocity_[i] += dt / mass_[i] * damped(force(i), velocity_[i], alpha);
+    angular_velocity_[i] += dt / inertia_[i] * damped(moment(i), angular_velocity_[i], alpha);
+  }
+  for (Support& support : support_) {
+    const int i = support.node;
+    const Vec3 excess = support.held * (velocity_[i] - support.velocity);
+    const Vec3 excess_spin =
+        support.held_rotation * (angular_velocity_[i] - support.angular_velocity);
+    velocity_[i] -= excess;
+    angular_velocity_[i] -= excess_spin;
+    support.force = -support.held * force(i);
+    support.moment = -support.held_rotation * moment(i);
+  }
+  for (int i = 0; i < nodes(); ++i) {
+    position_[i] += dt * velocity_[i];
+    rotation_[i] = turned(rotation_[i], angular_velocity_[i], dt);
+    rotation_matrix_[i] = rotation_[i].toRotationMatrix();
+  }
+}
+
+void ShellModel::add_stiffness(int first, int last, std::vector<StiffnessBound>& bound) const
+{
+  for (int f = first; f < last; ++f) {
+    const StiffnessBound facet = element_[f].stiffness_bound(material_, corners(f));
+    for (const int node : facet_[f]) {
+      bound[node].translation += facet.translation;
+      bound[node].rotation += facet.rotation;
+    }
+  }
+}
+
+double ShellModel::stable_step(const std::vector<StiffnessBound>& bound, double factor) const
+{
+  double square = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < nodes(); ++i) {
+    square = std::min(square, mass_[i] / bound[i].translation);
+    if (bound[i].rotation > 0.0) square = std::min(square, inertia_[i] / bound[i].rotation);
+  }
+  return factor * std::sqrt(square);
+}
+
+double ShellModel::scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor)
+{
+  const double need = dt * dt / (factor * factor);
+  double total = 0.0, true_total = 0.0;
+  for (int i = 0; i < nodes(); ++i) {
+    mass_[i] = std::max(mass_[i], need * bound[i].translation);
+    inertia_[i] = std::max(inertia_[i], need * bound[i].rotation);
+    total += mass_[i];
+    true_total += true_mass_[i];
+  }
+  return total / true_total;
+}
+
+double ShellModel::kinetic_energy() const
+{
+  double twice = 0.0;
+  for (int i = 0; i < nodes(); ++i)
+    twice +=
+        mass_[i] * velocity_[i].squaredNorm() + inertia_[i] * angular_velocity_[i].squaredNorm();
+  return 0.5 * twice;
+}
+
+Vec3 ShellModel::linear_momentum() const
+{
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < nodes(); ++i) sum += mass_[i] * velocity_[i];
+  return sum;
+}
+
+Vec3 ShellModel::angular_momentum() const
+{
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < nodes(); ++i)
+    sum += mass_[i] * position_[i].cross(velocity_[i]) + inertia_[i] * angular_velocity_[i];
+  return sum;
+}
+
+}  // namespace encased_column

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "shell/rotation.h"
+#include "shell/shell_element.h"
+#include "shell/shell_support.h"
+#include "shell/surface_mesh.h"
+
+#include <vector>
+
+namespace encased_column {
+
+/// A sleeve: nodes, facets, and the explicit integrator that moves them.
+///
+/// One step is: clear_loads(); add_internal_loads() over a range of facets, pressure and contacts
+/// onto load(); where ranks share the facets, one sum of load() over them; advance(). Every node is
+/// known everywhere, so advance() gives the same on every rank. No step allocates memory.
+class ShellModel {
+ public:
+  /// `axis` is the axial direction of the material. Throws InputError for a facet without area.
+  ShellModel(const SurfaceMesh& mesh, const ShellConstants& constants, const Vec3& axis);
+
+  int nodes() const { return static_cast<int>(position_.size()); }
+  int facets() const { return static_cast<int>(facet_.size()); }
+  const ShellMaterial& material() const { return material_; }
+  const std::vector<Facet>& facet() const { return facet_; }
+  const std::vector<ShellElement>& element() const { return element_; }
+  const std::vector<Vec3>& reference() const { return reference_; }
+  const std::vector<Vec3>& position() const { return position_; }
+  const std::vector<Quaternion>& rotation() const { return rotation_; }
+  /// Half a step behind the positions, as are the angular velocities.
+  const std::vector<Vec3>& velocity() const { return velocity_; }
+  const std::vector<Vec3>& angular_velocity() const { return angular_velocity_; }
+  const std::vector<double>& mass() const { return mass_; }        ///< scaled [kg]
+  const std::vector<double>& inertia() const { return inertia_; }  ///< scaled [kg m^2]
+  const std::vector<double>& true_mass() const { return true_mass_; }
+
+  /// Forces of all nodes [N], then their moments [N m]: one stretch of memory for one sum over
+  /// ranks.
+  std::vector<Vec3>& load() { return load_; }
+  const std::vector<Vec3>& load() const { return load_; }
+  Vec3& force(int node) { return load_[node]; }
+  Vec3& moment(int node) { return load_[nodes() + node]; }
+
+  std::vector<Support>& support() { return support_; }
+  const std::vector<Support>& support() const { return support_; }
+
+  /// Places the sleeve, for a start that is not the reference and for a restart.
+  void set_state(const std::vector<Vec3>& position, const std::vector<Quaternion>& rotation,
+                 const std::vector<Vec3>& velocity, const std::vector<Vec3>& angular_velocity);
+  void set_masses(const std::vector<double>& mass, const std::vector<double>& inertia);
+
+  void clear_loads();
+  /// Adds the internal forces and moments of facets [first, last); returns their energy [J].
+  double add_internal_loads(int first, int last);
+  /// One step of central differences: local damping -alpha |F| sign(v) per component of force and
+  /// moment, supports, then motion.
+  void advance(double dt, double alpha);
+
+  FacetVectors corners(int facet) const;
+  FacetRotations corner_rotations(int facet) const;
+  FacetState facet_state(int facet) const;
+
+  /// Adds to `bound` (sized nodes()) the stiffness bounds of facets [first, last) where they are
+  /// now.
+  void add_stiffness(int first, int last, std::vector<StiffnessBound>& bound) const;
+  /// factor sqrt(m / k), smallest over nodes, translations and rotations [s]. Stable below factor
+  /// 2, because the sum of the bounds is never below the largest eigenvalue.
+  double stable_step(const std::vector<StiffnessBound>& bound, double factor) const;
+  /// Raises masses and inertias where `dt` [s] asks for it; returns the total mass over the true
+  /// one.
+  double scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor);
+
+  /// Translational and rotational energy at the half step of the velocities [J].
+  double kinetic_energy() const;
+  Vec3 linear_momentum() const;
+  /// About the origin [N m s]; conserved by the integrator where no support and no load acts.
+  Vec3 angular_momentum() const;
+
+ private:
+  ShellMaterial material_;
+  std::vector<Facet> facet_;
+  std::vector<ShellElement> element_;
+  std::vector<Vec3> reference_, position_, velocity_, angular_velocity_, load_;
+  std::vector<Quaternion> rotation_;
+  std::vector<Mat3> rotation_matrix_;
+  std::vector<double> true_mass_, mass_, inertia_;
+  std::vector<Support> support_;
+};
+
+}  // namespace encased_column

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/vec3.h"
+
+#include <array>
+#include <vector>
+
+namespace encased_column {
+
+using Facet = std::array<int, 3>;
+
+/// A triangulated surface; the normal of a facet is (x1 - x0) x (x2 - x0).
+struct SurfaceMesh {
+  std::vector<Vec3> node;    ///< [m]
+  std::vector<Facet> facet;  ///< node numbers
+};
+
+/// Joins corners that lie within `tolerance` [m] of each other in each coordinate: triangles read
+/// one by one (STL) become a mesh whose facets share their nodes. Nodes keep the order of their
+/// first appearance.
+SurfaceMesh welded(const std::vector<std::array<Vec3, 3>>& triangle, double tolerance);
+
+/// Closed chains of border edges (edges with one facet only), each as its node numbers in order.
+/// Throws InputError if an edge has more than two facets, if neighbours disagree on their
+/// orientation (one of them is inverted), if a facet names a node twice or has no area, or if a
+/// node belongs to no facet.
+std::vector<std::vector<int>> border_loops(const SurfaceMesh& mesh);
+
+/// Refuses what is not the lateral surface of a sleeve: a mesh with other than two borders (its two
+/// ends) has a hole or is closed. Throws InputError, as border_loops does.
+void require_sleeve(const SurfaceMesh& mesh);
+
+}  // namespace encased_column
