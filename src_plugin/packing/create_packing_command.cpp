@@ -9,7 +9,6 @@
 
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace encased_column {
@@ -94,8 +93,12 @@ std::string CreatePackingCommand::read_file(const std::string& file) const
   int size = -1;
   if (comm->me == 0) {
     std::ifstream in(file);
-    text.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-    if (in) size = static_cast<int>(text.size());
+    std::ostringstream all;
+    // A folder opens like a file and fails only here.
+    if (in && all << in.rdbuf()) {
+      text = all.str();
+      size = static_cast<int>(text.size());
+    }
   }
   MPI_Bcast(&size, 1, MPI_INT, 0, world);
   if (size < 0)
