@@ -11,6 +11,8 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 namespace encased_column {
@@ -31,6 +33,22 @@ void remove_old(const std::filesystem::path& file)
 {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
+}
+
+/// GL2PS puts titles, which stand on their lower edge, on their baseline instead, so that the tails
+/// of letters reach into what lies below; and names one font, which the layout is not made for.
+void mend_text(const std::filesystem::path& svg)
+{
+  std::ifstream reading(svg);
+  std::string text{std::istreambuf_iterator<char>(reading), {}};
+  reading.close();
+  const auto replace_all = [&text](const std::string& old, const std::string& by) {
+    for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
+      text.replace(at, old.size(), by);
+  };
+  replace_all("\"middle\" dy=\"0\"", "\"middle\" dy=\"-0.22em\"");
+  replace_all("\"Helvetica\"", "\"DejaVu Sans, Verdana, Helvetica, Arial, sans-serif\"");
+  std::ofstream(svg) << text;
 }
 
 void check_written(const std::filesystem::path& file)
@@ -70,6 +88,7 @@ void write_png(const std::filesystem::path& file, vtkRenderWindow* window, int f
   image->SetInput(window);
   image->SetInputBufferTypeToRGB();
   image->ReadFrontBufferOff();
+  image->ShouldRerenderOff();
   image->Update();
   vtkNew<vtkPNGWriter> writer;
   vtkNew<vtkImageResize> smaller;
@@ -99,6 +118,7 @@ void write_svg(const std::filesystem::path& file, vtkRenderWindow* window)
   exporter->SetFilePrefix(file.c_str());
   exporter->Write();
   check_written(svg);
+  mend_text(svg);
 }
 
 }  // namespace encased_column

@@ -1,6 +1,7 @@
 #include "drawing/figure.h"
 
 #include "drawing/canvas.h"
+#include "drawing/round_steps.h"
 
 #include <vtkAxis.h>
 #include <vtkChartLegend.h>
@@ -26,13 +27,14 @@ constexpr int width = 1200;
 constexpr int height_alone = 760;    // of the only panel of a figure
 constexpr int height_stacked = 440;  // of each of several
 
-void add_series(vtkChartXY* chart, const Series& series)
+void add_series(vtkChartXY* chart, const Series& series, bool logarithmic)
 {
   vtkNew<vtkTable> table;
   vtkNew<vtkDoubleArray> x, y;
   x->SetName("x");
   y->SetName("y");
   for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (logarithmic && series.y[i] <= 0.0) continue;
     x->InsertNextValue(series.x[i]);
     y->InsertNextValue(series.y[i]);
   }
@@ -54,8 +56,8 @@ void add_series(vtkChartXY* chart, const Series& series)
     case Stroke::dashed:
       plot->GetPen()->SetLineType(vtkPen::DASH_LINE);
       break;
-    case Stroke::dotted:
-      plot->GetPen()->SetLineType(vtkPen::DOT_LINE);
+    case Stroke::dash_dotted:
+      plot->GetPen()->SetLineType(vtkPen::DASH_DOT_LINE);
       break;
   }
   if (series.marks) {
@@ -72,19 +74,18 @@ std::array<double, 2> range(const Axis& axis, const std::vector<Series>& all,
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Series& series : all)
     for (const double value : series.*values) {
+      if (axis.logarithmic && value <= 0.0) continue;
       low = std::min(low, value);
       high = std::max(high, value);
     }
-  low = std::min(low, axis.low.value_or(low));
-  high = std::max(high, axis.high.value_or(high));
+  // A bound gives way to what lies beyond it, but not to noise around it.
+  const double noise = 0.02 * (high - low);
+  if (axis.low && low > *axis.low - noise) low = *axis.low;
+  if (axis.high && high < *axis.high + noise) high = *axis.high;
   if (axis.logarithmic) return {std::floor(std::log10(low)), std::ceil(std::log10(high))};
 
-  // Steps of 1, 2 or 5 times a power of ten, five to ten of them.
   const double span = high > low ? high - low : std::max(std::abs(high), 1.0);
-  const double power = std::pow(10.0, std::floor(std::log10(span / 5.0)));
-  double step = power;
-  for (const double factor : {2.0, 5.0, 10.0})
-    if (span / step > 10.0) step = factor * power;
+  const double step = round_step(span, 10);
   return {step * std::floor(low / step + 1e-9), step * std::ceil((low + span) / step - 1e-9)};
 }
 
@@ -96,6 +97,7 @@ void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& l
   axis->GetGridPen()->SetColor(225, 225, 225);
   axis->GetPen()->SetWidth(1.5F);
   axis->SetLogScale(given.logarithmic);
+  axis->SetGridVisible(!given.logarithmic);  // vector files would show it beyond the range
   axis->SetBehavior(vtkAxis::FIXED);
   if (given.logarithmic)
     axis->SetUnscaledRange(std::pow(10.0, limits[0]), std::pow(10.0, limits[1]));
@@ -112,7 +114,7 @@ void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place)
   chart->SetSize(place);
   chart->SetTitle(panel.title);
   set_font(chart->GetTitleProperties(), 24);
-  for (const Series& series : panel.series) add_series(chart, series);
+  for (const Series& series : panel.series) add_series(chart, series, panel.y.logarithmic);
   style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x, range(panel.x, panel.series, &Series::x));
   style_axis(chart->GetAxis(vtkAxis::LEFT), panel.y, range(panel.y, panel.series, &Series::y));
   chart->SetShowLegend(true);

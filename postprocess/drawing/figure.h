@@ -17,7 +17,7 @@ Color palette(std::size_t i);
 constexpr Color black{0, 0, 0};
 constexpr Color grey{120, 120, 120};
 
-enum class Stroke { none, solid, dashed, dotted };
+enum class Stroke { none, solid, dashed, dash_dotted };
 
 /// One line of a legend and what it stands for: a curve, points, or both.
 struct Series {

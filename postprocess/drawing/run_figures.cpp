@@ -10,26 +10,23 @@ namespace encased_column {
 
 namespace {
 
-/// A log axis has no zero: below this a ratio is drawn as this.
-constexpr double smallest_ratio = 1e-7;
-
-std::vector<double> for_log_axis(std::vector<double> values)
-{
-  for (double& value : values) value = std::max(value, smallest_ratio);
-  return values;
-}
-
 Series limit(const std::string& label, double end_of_strain, double value)
 {
-  return {label, {0.0, 100.0 * end_of_strain}, {value, value}, grey, Stroke::dotted};
+  return {label, {0.0, 100.0 * end_of_strain}, {value, value}, grey, Stroke::dash_dotted};
 }
 
 void draw_checks(const std::filesystem::path& folder, const std::vector<SetResult>& sets)
 {
   const Axis strain{axial_strain_title, false, 0.0, {}};
-  Panel unbalanced{"Unbalanced force ratio (average)", strain, {"ratio [-]", true}, {}};
+  Panel unbalanced{"Unbalanced force ratio (average), limit for the start of shear",
+                   strain,
+                   {"ratio [-]", true},
+                   {}};
   Panel inertial{"Inertial number", strain, {"inertial number I [-]", true}, {}};
-  Panel platens{"Platen difference, (top - bottom) / mean", strain, {"difference [%]"}, {}};
+  Panel platens{"Platen difference (top - bottom) / mean, limit for averages over 1 % strain",
+                strain,
+                {"difference [%]"},
+                {}};
   const auto labels = test_labels(sets);
   const auto colors = color_numbers(sets);
   double end = 0.0;
@@ -41,15 +38,14 @@ void draw_checks(const std::filesystem::path& folder, const std::vector<SetResul
       const Stroke stroke =
           sets.size() > 1 && !sets[s].tests[t].run->encased() ? Stroke::dashed : Stroke::solid;
       const std::string& label = labels[s][t];
-      unbalanced.series.push_back(
-          {label, x, for_log_axis(record.unbalanced_average), color, stroke});
-      inertial.series.push_back({label, x, for_log_axis(record.inertial_number), color, stroke});
+      unbalanced.series.push_back({label, x, record.unbalanced_average, color, stroke});
+      inertial.series.push_back({label, x, record.inertial_number, color, stroke});
       platens.series.push_back({label, x, percent(platen_differences(record)), color, stroke});
       end = std::max(end, record.axial_strain.back());
     }
-  unbalanced.series.push_back(limit("allowed at the start", end, 1e-5));
+  unbalanced.series.push_back(limit("allowed", end, 1e-5));
   inertial.series.push_back(limit("allowed", end, 1e-3));
-  platens.series.push_back(limit("allowed, 1 % average", end, 3.0));
+  platens.series.push_back(limit("allowed", end, 3.0));
   platens.series.push_back(limit("", end, -3.0));
   draw_figure(folder / "checks", {unbalanced, inertial, platens});
 }
@@ -64,8 +60,7 @@ void draw_energy(const std::filesystem::path& folder, const TestResult& test)
       {"energy_kinetic [J]", "stored: kinetic"},
   };
   Panel panel;
-  panel.title =
-      "Energy balance of " + test.run->id + " (solid: put in, dashed: lost, dotted: stored)";
+  panel.title = "Energy balance of " + test.run->id;
   panel.x = {axial_strain_title, false, 0.0, {}};
   panel.y = {"energy [J]"};
   std::size_t color = 0;
@@ -73,7 +68,7 @@ void draw_energy(const std::filesystem::path& folder, const TestResult& test)
     const std::string name = label;
     const Stroke stroke = name[0] == 'w'   ? Stroke::solid
                           : name[0] == 'l' ? Stroke::dashed
-                                           : Stroke::dotted;
+                                           : Stroke::dash_dotted;
     panel.series.push_back({name, percent(test.axial_strain), test.run->history.numbers(column),
                             palette(color++), stroke});
   }

@@ -2,22 +2,21 @@
 
 #include "core/input_error.h"
 #include "drawing/canvas.h"
+#include "drawing/round_steps.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDoubleArray.h>
-#include <vtkLight.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkNew.h>
-#include <vtkOpenGLRenderer.h>
-#include <vtkOpenGLSphereMapper.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
-#include <vtkSSAOPass.h>
+#include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
+#include <vtkSphereSource.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkXMLPolyDataReader.h>
@@ -31,7 +30,8 @@ namespace encased_column {
 namespace {
 
 constexpr int width = 1200, height = 1500;
-constexpr int finer = 2;  // pixels drawn for each one kept: the spheres' edges are not smoothed
+constexpr int finer = 2;       // pixels drawn for each one kept, in both directions
+constexpr int bar_parts = 10;  // intervals of the colour bar, at most
 
 vtkDataArray* array_of(vtkPolyData* grains, const std::string& name, int components,
                        const std::filesystem::path& file)
@@ -85,7 +85,8 @@ vtkSmartPointer<vtkColorTransferFunction> colors(double highest)
   return map;
 }
 
-/// The distance only 1 in 200 grains exceeds: a few that fell must not hide how all others moved.
+/// The distance [mm] that 1 in 200 grains exceeds, rounded up: a few that fell must not hide how
+/// all others moved.
 double color_limit(vtkPolyData* spheres)
 {
   vtkDataArray* moved = spheres->GetPointData()->GetScalars();
@@ -93,14 +94,24 @@ double color_limit(vtkPolyData* spheres)
   for (vtkIdType i = 0; i < moved->GetNumberOfTuples(); ++i) sorted.push_back(moved->GetTuple1(i));
   std::sort(sorted.begin(), sorted.end());
   const double limit = sorted[sorted.size() * 199 / 200];
-  return limit > 0.0 ? limit : 1.0;
+  if (!(limit > 0.0)) return 1.0;
+  const double step = round_step(limit, bar_parts);
+  return step * std::ceil(limit / step - 1e-9);
 }
 
 void add_spheres(vtkRenderer* renderer, vtkPolyData* spheres, vtkColorTransferFunction* map)
 {
-  vtkNew<vtkOpenGLSphereMapper> mapper;
+  // Small in the picture where there are many: coarser spheres look the same and draw faster.
+  const int parts = spheres->GetNumberOfPoints() < 20000 ? 12 : 8;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetPhiResolution(parts);
+  sphere->SetThetaResolution(2 * parts);
+  vtkNew<vtkGlyph3DMapper> mapper;
   mapper->SetInputData(spheres);
+  mapper->SetSourceConnection(sphere->GetOutputPort());
   mapper->SetScaleArray("sphere_radius");
+  mapper->SetScaleModeToScaleByMagnitude();
   mapper->SetLookupTable(map);
   mapper->SetColorModeToMapScalars();
   mapper->UseLookupTableScalarRangeOn();
@@ -118,10 +129,14 @@ void add_text(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::s
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(map);
   bar->SetTitle("displacement [mm]\n ");
-  bar->SetNumberOfLabels(6);
+  const double highest = map->GetRange()[1];
+  bar->SetNumberOfLabels(1 +
+                         static_cast<int>(std::lround(highest / round_step(highest, bar_parts))));
   bar->SetLabelFormat("%.3g");
   bar->UnconstrainedFontSizeOn();
-  bar->SetMaximumWidthInPixels(70 * finer);
+  bar->SetBarRatio(0.3);
+  bar->SetMaximumNumberOfColors(256);
+  bar->SetTextPad(6 * finer);
   bar->SetPosition(0.79, 0.25);
   bar->SetPosition2(0.17, 0.5);
   set_font(bar->GetTitleTextProperty(), 26 * finer);
@@ -166,27 +181,15 @@ void draw_specimen(const std::filesystem::path& file, const std::filesystem::pat
                      "' must hold one grain at least, found none, run the case again");
   const auto map = colors(color_limit(spheres));
 
-  vtkNew<vtkOpenGLRenderer> renderer;
+  vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1.0, 1.0, 1.0);
   add_spheres(renderer, spheres, map);
   add_text(renderer, map, caption);
 
-  // Shade in the gaps between grains: without it a packing looks like a flat mosaic.
-  vtkNew<vtkRenderStepsPass> steps;
-  vtkNew<vtkSSAOPass> shade;
-  const double* bounds = spheres->GetBounds();
-  shade->SetDelegatePass(steps);
-  shade->SetRadius(0.08 * (bounds[1] - bounds[0]));
-  shade->SetBias(0.001 * (bounds[1] - bounds[0]));
-  shade->SetKernelSize(64);
-  shade->BlurOn();
-  renderer->SetPass(shade);
-
   vtkNew<vtkRenderWindow> window;
   prepare_window(window, finer * width, finer * height);
-  window->SetMultiSamples(0);
   window->AddRenderer(renderer);
-  aim(renderer, bounds);
+  aim(renderer, spheres->GetBounds());
   write_png(file, window, finer);
 }
 

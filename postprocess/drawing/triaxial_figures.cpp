@@ -93,7 +93,7 @@ void add_set(Panel& panel, const SetResult& set, std::size_t first_color, const 
   if (const auto strength = targets.strength(set.set, false))
     panel.series.push_back(failure_line(failure_line_of(*strength), highest,
                                         in_legend(name + "model", *strength), grey,
-                                        Stroke::dotted));
+                                        Stroke::dash_dotted));
   panel.series.push_back(peaks);
 }
 
@@ -113,8 +113,8 @@ void draw_triaxial_figures(const std::filesystem::path& folder, const std::vecto
   draw_figure(folder / "volumetric_strain", {volume});
 
   Panel strength;
-  strength.title = "Peak strength, p = (σ₁ + 2 σ₃) / 3, " + platen_title(sets);
-  strength.x = {"mean stress p [kPa]", false, 0.0, {}};
+  strength.title = "Peak strength, " + platen_title(sets);
+  strength.x = {"mean stress p = (σ₁ + 2 σ₃) / 3 [kPa]", false, 0.0, {}};
   strength.y = {"deviatoric stress q [kPa]", false, 0.0, {}};
   for (std::size_t s = 0; s < sets.size(); ++s)
     add_set(strength, sets[s], s, targets, sets.size() > 1);
