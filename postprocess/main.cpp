@@ -12,7 +12,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <optional>
 
 namespace fs = std::filesystem;
@@ -43,10 +42,20 @@ fs::path default_output(const fs::path& first)
   return fs::canonical(first).parent_path();
 }
 
+void create_folder(const fs::path& folder)
+{
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure)
+    throw InputError("results must go where they can be written, found '" + folder.string() +
+                     "' refused, write for example '--output results'");
+}
+
 void write_tables(const Settings& settings, const std::vector<SetResult>& sets,
                   const Targets& targets)
 {
   const std::string table = result_text(sets, targets), checks = check_text(sets);
+  create_folder(settings.output);
   write_text(settings.output / "table.csv", result_csv(sets, targets));
   write_text(settings.output / "table.txt", table);
   write_text(settings.output / "checks.csv", check_csv(sets));
@@ -58,11 +67,7 @@ void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
                    const Targets& targets)
 {
   const fs::path folder = settings.output / "figures";
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure)
-    throw InputError("pictures must go where they can be written, found '" + folder.string() +
-                     "' refused, write for example '--output results'");
+  create_folder(folder);
   draw_triaxial_figures(folder, sets, targets);
   draw_run_figures(folder, sets);
   for (const SetResult& set : sets)
@@ -104,16 +109,19 @@ int main(int count, char** words)
                  "CSV file of the published values [targets.csv beside the program]");
   app.add_option("--output", settings.output,
                  "folder for the results [the series, or the folder that holds the first case]");
-  const std::map<std::string, Platen> platens{
-      {"top", Platen::top}, {"bottom", Platen::bottom}, {"mean", Platen::mean}};
-  app.add_option("--platen", settings.platen,
-                 "platen that q is read from: top, bottom or mean [plain: mean, encased: bottom]")
-      ->transform(CLI::Transformer(platens));
+  std::string platen;
+  app.add_option("--platen", platen, "platen that q is read from [plain: mean, encased: bottom]")
+      ->check(CLI::IsMember({"top", "bottom", "mean"}));
   app.add_flag("--no-pictures", settings.no_pictures, "tables only");
-  app.add_flag("--pictures-only", settings.pictures_only, "pictures only");
-  CLI11_PARSE(app, count, words);
+  app.add_flag("--pictures-only", settings.pictures_only, "pictures only, no tables");
+  try {
+    app.parse(count, words);
+  } catch (const CLI::ParseError& problem) {
+    return app.exit(problem) == 0 ? 0 : 1;
+  }
   vtkObject::GlobalWarningDisplayOff();
   try {
+    if (!platen.empty()) settings.platen = platen_of(platen);
     if (settings.targets.empty()) settings.targets = default_targets();
     if (settings.output.empty()) settings.output = default_output(settings.folders.front());
     run(settings, {words + 1, words + count});

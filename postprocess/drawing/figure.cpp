@@ -113,7 +113,7 @@ void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place)
   chart->SetAutoSize(false);
   chart->SetSize(place);
   chart->SetTitle(panel.title);
-  set_font(chart->GetTitleProperties(), 24);
+  set_font(chart->GetTitleProperties(), 20);
   for (const Series& series : panel.series) add_series(chart, series, panel.y.logarithmic);
   style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x, range(panel.x, panel.series, &Series::x));
   style_axis(chart->GetAxis(vtkAxis::LEFT), panel.y, range(panel.y, panel.series, &Series::y));

@@ -23,7 +23,7 @@ void draw_checks(const std::filesystem::path& folder, const std::vector<SetResul
                    {"ratio [-]", true},
                    {}};
   Panel inertial{"Inertial number", strain, {"inertial number I [-]", true}, {}};
-  Panel platens{"Platen difference (top - bottom) / mean, limit for averages over 1 % strain",
+  Panel platens{"Platen difference (top - bottom) / mean, limit for 1 % strain averages",
                 strain,
                 {"difference [%]"},
                 {}};

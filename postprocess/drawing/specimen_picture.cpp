@@ -176,9 +176,6 @@ void draw_specimen(const std::filesystem::path& file, const std::filesystem::pat
                    const std::string& caption)
 {
   const vtkSmartPointer<vtkPolyData> spheres = spheres_of(grains);
-  if (spheres->GetNumberOfPoints() == 0)
-    throw InputError("'" + grains.string() +
-                     "' must hold one grain at least, found none, run the case again");
   const auto map = colors(color_limit(spheres));
 
   vtkNew<vtkRenderer> renderer;

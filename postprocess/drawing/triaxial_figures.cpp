@@ -24,15 +24,11 @@ std::string kind(const SetResult& set)
 /// What q is read from, for the titles of figures.
 std::string platen_title(const std::vector<SetResult>& sets)
 {
-  std::string title;
-  for (const SetResult& set : sets) {
-    const std::string platen = "q from the " + platen_name(set.tests.front().platen);
-    if (title.find(platen) != std::string::npos) continue;
-    title += (title.empty() ? "" : "; ") + platen;
-    if (sets.size() > 1 && sets[0].tests[0].platen != sets[1].tests[0].platen)
-      title += " (" + kind(set) + ")";
-  }
-  return title;
+  const Platen first = sets.front().tests.front().platen;
+  const Platen last = sets.back().tests.front().platen;
+  if (first == last) return "q: " + platen_name(first);
+  return "q: " + platen_name(first) + " (" + kind(sets.front()) + "), " + platen_name(last) + " (" +
+         kind(sets.back()) + ")";
 }
 
 /// One curve for each test: `factor` times the values `member` over axial strain [%].
@@ -65,8 +61,8 @@ Series failure_line(const FailureLine& line, double highest_p, const std::string
 
 std::string in_legend(const std::string& who, const Strength& strength)
 {
-  return who + ": φ = " + fixed(strength.friction_angle * 180.0 / pi, 1) +
-         "°, c = " + fixed(strength.cohesion / 1e3, 1) + " kPa";
+  return who + ": φ " + fixed(strength.friction_angle * 180.0 / pi, 1) + "°, c " +
+         fixed(strength.cohesion / 1e3, 1) + " kPa";
 }
 
 void add_set(Panel& panel, const SetResult& set, std::size_t first_color, const Targets& targets,
@@ -103,7 +99,7 @@ void draw_triaxial_figures(const std::filesystem::path& folder, const std::vecto
                            const Targets& targets)
 {
   Panel stress = curves(sets, &TestResult::deviatoric_stress, 1e-3);
-  stress.title = "Deviatoric stress, " + platen_title(sets);
+  stress.title = platen_title(sets);
   stress.y = {"deviatoric stress q [kPa]", false, 0.0, {}};
   draw_figure(folder / "deviatoric_stress", {stress});
 
@@ -113,7 +109,7 @@ void draw_triaxial_figures(const std::filesystem::path& folder, const std::vecto
   draw_figure(folder / "volumetric_strain", {volume});
 
   Panel strength;
-  strength.title = "Peak strength, " + platen_title(sets);
+  strength.title = platen_title(sets);
   strength.x = {"mean stress p = (σ₁ + 2 σ₃) / 3 [kPa]", false, 0.0, {}};
   strength.y = {"deviatoric stress q [kPa]", false, 0.0, {}};
   for (std::size_t s = 0; s < sets.size(); ++s)

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& collection, const std::string& found)
 {
-  throw InputError("'" + collection.string() + "' must list .vtp files of the grains, found " +
+  throw InputError("'" + collection.string() + "' must list .vtp files with grains, found " +
                    found + ", run the case again or remove its folder grains");
 }
 
@@ -56,6 +56,8 @@ std::optional<GrainFile> last_grain_file(const fs::path& folder)
     refuse(collection, "'" + file.string() + "', which cannot be read");
   reader->SetFileName(file.c_str());
   reader->Update();
+  if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
+    refuse(collection, "'" + file.string() + "', which holds no grain or was cut off");
   return GrainFile{file, static_cast<long>(reader->GetOutput()->GetNumberOfPoints())};
 }
 

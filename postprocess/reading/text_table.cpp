@@ -48,8 +48,7 @@ TextTable::TextTable(const std::filesystem::path& file) : file_(file)
     auto* words = vtkStringArray::SafeDownCast(table->GetColumn(i));
     if (!words) continue;
     std::vector<std::string>& column = columns_[words->GetName()];
-    for (std::size_t row = 0; row < rows_; ++row)
-      column.push_back(words->GetValue(row));
+    for (std::size_t row = 0; row < rows_; ++row) column.push_back(words->GetValue(row));
     if (rows_ > 0 && i + 1 == table->GetNumberOfColumns()) cut_off = column.back().empty();
   }
   if (cut_off) {

@@ -74,6 +74,15 @@ std::string platen_name(Platen platen)
   return platen == Platen::top ? "top platen" : "bottom platen";
 }
 
+Platen platen_of(const std::string& word)
+{
+  if (word == "top") return Platen::top;
+  if (word == "bottom") return Platen::bottom;
+  if (word == "mean") return Platen::mean;
+  throw InputError("a platen must be top, bottom or mean, found '" + word +
+                   "', write for example '--platen bottom'");
+}
+
 std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen)
 {
   std::vector<SetResult> sets;

@@ -16,6 +16,9 @@ enum class Platen { top, bottom, mean };
 
 std::string platen_name(Platen platen);
 
+/// The platen called `word`: top, bottom or mean.
+Platen platen_of(const std::string& word);
+
 /// What one run gave.
 struct TestResult {
   const CaseRun* run;
