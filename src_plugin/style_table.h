@@ -35,9 +35,8 @@ Maker make()
             }),
             &T::keywords};
   } else {
-    return {CommandCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
-              T(lmp).command(narg, arg);
-            }),
+    return {CommandCreator(
+                [](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) { T(lmp).command(narg, arg); }),
             &T::keywords};
   }
 }

@@ -10,12 +10,12 @@ namespace encased_column {
 
 /// Micro-parameters of one pair of materials.
 struct ContactMaterial {
-  double modulus = 0.0;          ///< E* [Pa]
-  double stiffness_ratio = 1.0;  ///< kappa* = k_n / k_t [-]
-  double friction = 0.0;         ///< mu [-]
-  double damping_normal = 0.0;   ///< beta_n [-], fraction of critical
-  double damping_shear = 0.0;    ///< beta_s [-]
-  double rolling_friction = 0.0; ///< mu_r [-]
+  double modulus = 0.0;           ///< E* [Pa]
+  double stiffness_ratio = 1.0;   ///< kappa* = k_n / k_t [-]
+  double friction = 0.0;          ///< mu [-]
+  double damping_normal = 0.0;    ///< beta_n [-], fraction of critical
+  double damping_shear = 0.0;     ///< beta_s [-]
+  double rolling_friction = 0.0;  ///< mu_r [-]
 };
 
 /// Springs of a contact [N/m].
@@ -24,10 +24,9 @@ struct ContactStiffness {
   double shear;
 };
 
-/// Stiffness k_n = A E* / L, k_t = k_n / kappa*, A = pi r^2 of a contact of which the smaller radius
-/// is `r` [m] and the distance of the centers at first touch is `length` [m]; against a wall both
-/// are the grain's radius.
-/// Source: Itasca PFC, linear model, "deformability" method.
+/// Stiffness k_n = A E* / L, k_t = k_n / kappa*, A = pi r^2 of a contact of which the smaller
+/// radius is `r` [m] and the distance of the centers at first touch is `length` [m]; against a wall
+/// both are the grain's radius. Source: Itasca PFC, linear model, "deformability" method.
 inline ContactStiffness linear_stiffness(const ContactMaterial& m, double r, double length)
 {
   const double normal = pi * r * r * m.modulus / length;
@@ -42,8 +41,8 @@ struct ContactVelocity {
 
 /// Relative velocity of two bodies with velocities `v` [m/s], spins `w` [rad/s] and lever arms `c`
 /// [m] from center to contact; `n` is the unit normal from i to j.
-inline ContactVelocity contact_velocity(const Vec3& n, const Vec3& v_i, const Vec3& w_i,
-                                        double c_i, const Vec3& v_j, const Vec3& w_j, double c_j)
+inline ContactVelocity contact_velocity(const Vec3& n, const Vec3& v_i, const Vec3& w_i, double c_i,
+                                        const Vec3& v_j, const Vec3& w_j, double c_j)
 {
   const Vec3 relative = v_i - v_j;
   const double closing = relative.dot(n);
@@ -52,11 +51,11 @@ inline ContactVelocity contact_velocity(const Vec3& n, const Vec3& v_i, const Ve
 
 /// Force between two bodies at a contact.
 struct ContactForce {
-  double normal;        ///< pressing the bodies apart, never tensile [N]
-  Vec3 shear;           ///< on body i [N]
-  bool sliding;         ///< Coulomb's limit is reached
-  double friction_loss; ///< work of the slider in this step [J]
-  double dashpot_loss;  ///< work of both dashpots in this step [J]
+  double normal;         ///< pressing the bodies apart, never tensile [N]
+  Vec3 shear;            ///< on body i [N]
+  bool sliding;          ///< Coulomb's limit is reached
+  double friction_loss;  ///< work of the slider in this step [J]
+  double dashpot_loss;   ///< work of both dashpots in this step [J]
 };
 
 /// Linear contact: springs, dashpots 2 beta sqrt(m k) and Coulomb's slider on the shear spring.
@@ -68,9 +67,11 @@ struct ContactForce {
 /// The loss of the slider is the mean of the shear force before and after, times the slip the
 /// spring gave up: with it the trapezoidal work of the contact force is exactly stored + lost.
 /// Source: Itasca PFC, linear model; Cundall and Strack (1979), Geotechnique 29, 47-65.
-inline ContactForce linear_contact(const ContactMaterial& m, const ContactStiffness& k,
-                                   double overlap, double mass, const ContactVelocity& v,
-                                   const Vec3& n, double dt, bool advance, Vec3& spring)
+[[gnu::always_inline]] inline ContactForce linear_contact(const ContactMaterial& m,
+                                                          const ContactStiffness& k, double overlap,
+                                                          double mass, const ContactVelocity& v,
+                                                          const Vec3& n, double dt, bool advance,
+                                                          Vec3& spring)
 {
   const double c_normal = 2.0 * m.damping_normal * std::sqrt(mass * k.normal);
   const double elastic = k.normal * overlap;

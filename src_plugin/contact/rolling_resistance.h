@@ -38,4 +38,10 @@ inline double advance_rolling_torque(double shear_stiffness, double friction, do
   return loss;
 }
 
+/// Energy [J] in the rolling spring.
+inline double rolling_energy(double shear_stiffness, double r, const Vec3& torque)
+{
+  return 0.5 * torque.squaredNorm() / (shear_stiffness * r * r);
+}
+
 }  // namespace encased_column

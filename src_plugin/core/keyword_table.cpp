@@ -86,8 +86,7 @@ double Options::between(const std::string& keyword, double low, double high) con
   return require_between(keyword, low, high, number(keyword));
 }
 
-double Options::between(const std::string& keyword, double low, double high,
-                        double otherwise) const
+double Options::between(const std::string& keyword, double low, double high, double otherwise) const
 {
   return require_between(keyword, low, high, number(keyword, otherwise));
 }
@@ -95,8 +94,7 @@ double Options::between(const std::string& keyword, double low, double high,
 long Options::integer(const std::string& keyword, long low) const
 {
   const long value = read_integer(keyword, word(keyword));
-  if (value < low)
-    refuse(keyword, std::to_string(low) + " or larger", static_cast<double>(value));
+  if (value < low) refuse(keyword, std::to_string(low) + " or larger", static_cast<double>(value));
   return value;
 }
 
@@ -117,8 +115,8 @@ std::string Options::choice(const std::string& keyword,
 {
   const std::string value = word(keyword);
   if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
-    throw InputError("'" + keyword + "' must be one of: " + list_of(allowed) + "; found '" +
-                     value + "'");
+    throw InputError("'" + keyword + "' must be one of: " + list_of(allowed) + "; found '" + value +
+                     "'");
   return value;
 }
 
@@ -151,8 +149,8 @@ Options KeywordTable::read(const std::vector<std::string>& words) const
     if (words.size() - next < wanted)
       throw InputError("keyword '" + name + "' takes " + std::to_string(wanted) +
                        (wanted == 1 ? " value" : " values") + ", found " +
-                       std::to_string(words.size() - next) + ", add what is missing: " +
-                       keyword->meaning);
+                       std::to_string(words.size() - next) +
+                       ", add what is missing: " + keyword->meaning);
     const auto first = words.begin() + static_cast<long>(next);
     options.found_[name].emplace_back(first, first + static_cast<long>(wanted));
     next += wanted;

@@ -12,10 +12,10 @@ namespace encased_column {
 /// One keyword of a style, as the deck writes it and the user page lists it.
 struct Keyword {
   std::string name;
-  int values;           ///< words that follow it
-  std::string unit;     ///< "-" where there is none
-  std::string meaning;  ///< as on the user page
-  bool repeats = false; ///< may stand more than once
+  int values;            ///< words that follow it
+  std::string unit;      ///< "-" where there is none
+  std::string meaning;   ///< as on the user page
+  bool repeats = false;  ///< may stand more than once
 };
 
 /// What a deck gave for the keywords of one table; every accessor throws InputError.

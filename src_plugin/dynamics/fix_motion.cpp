@@ -15,13 +15,13 @@ namespace encased_column {
 
 const KeywordTable FixMotion::keywords{
     {"damping", 1, "-", "local damping alpha, 0 to below 1 (default 0.7)"},
-    {"step", 1, "s", "`stable`: true masses at the stable step (default); a number: that step, by density scaling"},
+    {"step", 1, "s",
+     "`stable`: true masses at the stable step (default); a number: that step, by density scaling"},
     {"safety", 1, "-", "fraction f of the step sqrt(m/k), 0 to 1 (default 0.8)"},
     {"every", 1, "steps", "how often stiffness, step and equilibrium are found anew (default 50)"},
 };
 
-FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : LAMMPS_NS::Fix(lmp, narg, arg)
+FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::Fix(lmp, narg, arg)
 {
   try {
     const Options options = keywords.read(narg, arg);
@@ -213,12 +213,18 @@ double FixMotion::damping_loss() const
 double FixMotion::compute_vector(int n)
 {
   switch (n) {
-    case 0: return equilibrium_.average;
-    case 1: return equilibrium_.maximum;
-    case 2: return stable_step_;
-    case 3: return largest_factor_;
-    case 4: return damping_loss();
-    default: return equilibrium_.contacts;
+    case 0:
+      return equilibrium_.average;
+    case 1:
+      return equilibrium_.maximum;
+    case 2:
+      return stable_step_;
+    case 3:
+      return largest_factor_;
+    case 4:
+      return damping_loss();
+    default:
+      return equilibrium_.contacts;
   }
 }
 
@@ -228,7 +234,8 @@ int FixMotion::modify_param(int narg, char** arg)
     const Options options = keywords.read(narg, arg, 0);
     damping_ = options.between("damping", 0.0, 0.99, damping_);
     if (options.has("step") || options.has("safety") || options.has("every"))
-      throw InputError("'fix_modify " + std::string(id) + "' changes 'damping' only, make a new fix for the rest");
+      throw InputError("'fix_modify " + std::string(id) +
+                       "' changes 'damping' only, make a new fix for the rest");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

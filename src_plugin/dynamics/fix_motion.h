@@ -10,9 +10,9 @@ namespace encased_column {
 
 /// How far the grains are from equilibrium; see fix_motion.md.
 struct Equilibrium {
-  double average = 0.0;        ///< mean unbalanced over mean contact force [-]
-  double maximum = 0.0;        ///< largest unbalanced over mean contact force [-]
-  double contacts = 0.0;       ///< number of contacts [-]
+  double average = 0.0;   ///< mean unbalanced over mean contact force [-]
+  double maximum = 0.0;   ///< largest unbalanced over mean contact force [-]
+  double contacts = 0.0;  ///< number of contacts [-]
 };
 
 /// Moves the grains: central differences with local damping, a stable step found from the contact
@@ -48,6 +48,8 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
   /// As of the last step that `every` divides.
   const Equilibrium& equilibrium() const { return equilibrium_; }
   int every() const { return every_; }
+  /// Finds equilibrium() anew, with the forces as they are now.
+  void weigh_equilibrium();
   /// Inertial mass [kg] of grain i.
   double inertial_mass(int i) const { return inertia_[i]; }
   /// Work [J] of the local damping on all ranks since the fix was made.
@@ -57,7 +59,6 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
   double kick(int i, double half_step);
   void collect();
   void set_inertia();
-  void weigh_equilibrium();
 
   double damping_, safety_, fixed_step_;
   int every_;

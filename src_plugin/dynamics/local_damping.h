@@ -19,8 +19,7 @@ inline double damped(double force, double velocity, double alpha)
 /// Half a step of one component: speeds `velocity` up by the damped `force` and returns the work
 /// [J] the damping took out. `rate` is half the step divided by the inertia.
 /// The work is exact: damping force times the mean velocity of the half step times its length.
-inline double half_kick(double force, double alpha, double rate, double half_step,
-                        double& velocity)
+inline double half_kick(double force, double alpha, double rate, double half_step, double& velocity)
 {
   const double after_damping = damped(force, velocity, alpha);
   const double before = velocity;

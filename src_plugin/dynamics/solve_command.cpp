@@ -13,7 +13,8 @@ namespace encased_column {
 
 const KeywordTable SolveCommand::keywords{
     {"ratio", 2, "-", "which unbalanced force ratio, `average` or `maximum`, and its limit"},
-    {"every", 1, "steps", "how often it is looked at, a multiple of the motion's `every` (default 200)"},
+    {"every", 1, "steps",
+     "how often it is looked at, a multiple of the motion's `every` (default 200)"},
     {"max", 1, "steps", "after so many the run stops with an error (default 200000)"},
     {"least", 1, "steps", "at least so many are run (default 0)"},
 };
@@ -46,7 +47,8 @@ void SolveCommand::command(int narg, char** arg)
   } catch (const InputError& problem) {
     error->all(FLERR, problem.what());
   }
-  if (domain->box_exist == 0) error->all(FLERR, "'solve' stands before the box is made, move it behind create_box");
+  if (domain->box_exist == 0)
+    error->all(FLERR, "'solve' stands before the box is made, move it behind create_box");
 
   // As the host's `run`, in pieces of `every` steps with one set-up.
   update->whichflag = 1;
@@ -80,7 +82,8 @@ void SolveCommand::command(int narg, char** arg)
   if (ratio > limit && !LAMMPS_NS::SignalHandler::request_quit)
     error->all(FLERR, ("'ratio' " + which + " " + in_words(limit) + " was not reached in " +
                        std::to_string(done) + " steps, found " + in_words(ratio) +
-                       ", write a larger 'max' or look at what still moves").c_str());
+                       ", write a larger 'max' or look at what still moves")
+                          .c_str());
 }
 
 void SolveCommand::report(double ratio, double limit, const std::string& which, long steps) const

@@ -25,10 +25,7 @@ struct GrainStiffness {
   }
 
   /// The stiffness [N/m] that the grain's mass must be set against.
-  double decisive() const
-  {
-    return std::max(translation.maxCoeff(), rotation.maxCoeff());
-  }
+  double decisive() const { return std::max(translation.maxCoeff(), rotation.maxCoeff()); }
 };
 
 /// Stable step [s] of a mass [kg] on a stiffness [N/m]: f sqrt(m/k).

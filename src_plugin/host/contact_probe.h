@@ -5,53 +5,30 @@
 
 #include <vector>
 
-namespace LAMMPS_NS {
-class FixMeshSurface;
-}
-
 namespace encased_column {
 
 /// One contact as the force computation sees it.
 struct Contact {
-  int i;                             ///< local index of the grain
-  int j;                             ///< of the other grain, -1 for a wall
-  LAMMPS_NS::FixMeshSurface* wall;   ///< null between grains
-  Vec3 normal;                       ///< from i to j
-  Vec3 force;                        ///< on i [N]
-  double arm;                        ///< from the center of i to the contact [m]
-  double length;                     ///< from the center of i to that of j or to the wall [m]
-  double normal_stiffness;           ///< [N/m]
-  double shear_stiffness;            ///< [N/m]
-  double stored_energy;              ///< [J]
-  double share;                      ///< part of it this rank counts: 1, or 1/2 across a border
+  int i;                    ///< local index of the grain
+  int j;                    ///< of the other grain, -1 for a wall
+  Vec3 normal;              ///< from i to j
+  Vec3 force;               ///< on i [N]
+  double arm;               ///< from the center of i to the contact [m]
+  double length;            ///< from the center of i to that of j or to the wall [m]
+  double normal_stiffness;  ///< [N/m]
+  double shear_stiffness;   ///< [N/m]
+  double stored_energy;     ///< [J]
+  double share;             ///< part of it this rank counts: 1, or 1/2 across a border
   bool sliding;
 };
 
-/// A fix that looks at every contact of chosen steps. The contact model asks each probe once a
-/// step and calls those that want it; other steps cost nothing.
+/// A fix that looks at every contact of chosen steps. Whoever computes contacts asks each probe
+/// once a step and calls those that want it; other steps cost nothing.
 class ContactProbe {
  public:
   virtual ~ContactProbe() = default;
   virtual bool wants_contacts(LAMMPS_NS::bigint step) const = 0;
   virtual void add_contact(const Contact& contact) = 0;
-};
-
-/// What a wall's owner needs of a grain's contact with it, every step.
-struct WallContact {
-  int grain;                ///< local index
-  int triangle;             ///< local index in the mesh
-  Vec3 point;               ///< [m]
-  Vec3 force;               ///< on the wall [N]
-  double normal_stiffness;  ///< [N/m]
-};
-
-/// A fix that owns a mesh and is told all contacts with it, every step. The owner empties the list
-/// before forces are computed and reads it after.
-class WallContactOwner {
- public:
-  virtual ~WallContactOwner() = default;
-  virtual LAMMPS_NS::FixMeshSurface* wall_mesh() const = 0;
-  std::vector<WallContact> wall_contacts;
 };
 
 /// Energy the contacts have turned into heat on this rank since the deck began [J].

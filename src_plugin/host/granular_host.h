@@ -4,9 +4,9 @@
 // they compile.
 #include "host/host_types.h"
 
-#include "global_properties.h"
 #include "fix_insert_stream.h"
+#include "global_properties.h"
 #include "settings.h"
 
-#include "pair_gran_base.h"
 #include "fix_wall_gran_base.h"
+#include "pair_gran_base.h"

@@ -12,14 +12,14 @@ PairProperty read_pair_property(LAMMPS_NS::LAMMPS* lmp, const std::string& name,
                                 bool above, std::optional<double> otherwise)
 {
   const int types = lmp->atom->ntypes;
-  LAMMPS_NS::Fix* fix = lmp->modify->find_fix_property(name.c_str(), "property/global",
-                                                       "peratomtypepair", types, types, "linear",
-                                                       false);
+  LAMMPS_NS::Fix* fix = lmp->modify->find_fix_property(
+      name.c_str(), "property/global", "peratomtypepair", types, types, "linear", false);
   if (!fix) {
     if (otherwise) return PairProperty(types, *otherwise);
-    throw InputError("the linear contact law needs '" + name + "', write 'fix ID all property/global " +
-                     name + " peratomtypepair " + std::to_string(types) + " ...' with " +
-                     std::to_string(types * types) + " values");
+    throw InputError("the linear contact law needs '" + name +
+                     "', write 'fix ID all property/global " + name + " peratomtypepair " +
+                     std::to_string(types) + " ...' with " + std::to_string(types * types) +
+                     " values");
   }
   PairProperty property(types, 0.0);
   for (int i = 1; i <= types; ++i)
@@ -35,8 +35,8 @@ PairProperty read_pair_property(LAMMPS_NS::LAMMPS* lmp, const std::string& name,
     for (int j = 1; j < i; ++j)
       if (property.at(i, j) != property.at(j, i))
         throw InputError("'" + name + "' must be symmetric, found " + in_words(property.at(i, j)) +
-                         " for types " + std::to_string(i) + " and " + std::to_string(j) +
-                         " and " + in_words(property.at(j, i)) + " the other way round");
+                         " for types " + std::to_string(i) + " and " + std::to_string(j) + " and " +
+                         in_words(property.at(j, i)) + " the other way round");
   return property;
 }
 

@@ -5,8 +5,8 @@ namespace encased_column {
 /// Contacts counted over a specimen; a contact of two grains has two ends, one with a wall has one.
 struct ContactCount {
   double grains = 0.0;
-  double ends = 0.0;            ///< of all contacts
-  double without_contact = 0.0; ///< grains that touch nothing
+  double ends = 0.0;             ///< of all contacts
+  double without_contact = 0.0;  ///< grains that touch nothing
   double with_one_contact = 0.0;
 };
 

@@ -26,16 +26,37 @@ const KeywordTable FixSpecimenHistory::keywords{
 namespace {
 
 // One list for header and order of the columns.
-const char* const columns[] = {
-    "step [-]", "axial_strain [-]", "stress_top [Pa]", "stress_bottom [Pa]",
-    "confining_stress [Pa]", "deviatoric_stress_top [Pa]", "deviatoric_stress_bottom [Pa]",
-    "mean_stress [Pa]", "volumetric_strain [-]", "height [m]", "radius [m]", "porosity [-]",
-    "porosity_less_overlap [-]", "coordination_number [-]", "coordination_number_bearing [-]",
-    "radial_strain_25 [-]", "radial_strain_50 [-]", "radial_strain_75 [-]",
-    "unbalanced_average [-]", "unbalanced_maximum [-]", "inertial_number [-]", "work_platens [J]",
-    "work_side [J]", "work_gravity [J]", "energy_elastic [J]", "energy_kinetic [J]",
-    "loss_friction [J]", "loss_rolling [J]", "loss_dashpots [J]", "loss_damping [J]",
-    "energy_error [-]"};
+const char* const columns[] = {"step [-]",
+                               "axial_strain [-]",
+                               "stress_top [Pa]",
+                               "stress_bottom [Pa]",
+                               "confining_stress [Pa]",
+                               "deviatoric_stress_top [Pa]",
+                               "deviatoric_stress_bottom [Pa]",
+                               "mean_stress [Pa]",
+                               "volumetric_strain [-]",
+                               "height [m]",
+                               "radius [m]",
+                               "porosity [-]",
+                               "porosity_less_overlap [-]",
+                               "coordination_number [-]",
+                               "coordination_number_bearing [-]",
+                               "radial_strain_25 [-]",
+                               "radial_strain_50 [-]",
+                               "radial_strain_75 [-]",
+                               "unbalanced_average [-]",
+                               "unbalanced_maximum [-]",
+                               "inertial_number [-]",
+                               "work_platens [J]",
+                               "work_side [J]",
+                               "work_gravity [J]",
+                               "energy_elastic [J]",
+                               "energy_kinetic [J]",
+                               "loss_friction [J]",
+                               "loss_rolling [J]",
+                               "loss_dashpots [J]",
+                               "loss_damping [J]",
+                               "energy_error [-]"};
 constexpr int column_count = sizeof(columns) / sizeof(columns[0]);
 
 }  // namespace
@@ -119,15 +140,21 @@ void FixSpecimenHistory::add_contact(const Contact& contact)
   ++contacts_of_[contact.i];
   if (contact.j >= 0 && contact.j < atom->nlocal) ++contacts_of_[contact.j];
   const double volume =
-      contact.wall ? sphere_cap_volume(radius, contact.length)
-                   : sphere_overlap_volume(radius, atom->radius[contact.j], contact.length);
+      contact.j < 0 ? sphere_cap_volume(radius, contact.length)
+                    : sphere_overlap_volume(radius, atom->radius[contact.j], contact.length);
   shared_volume_ += contact.share * volume;
   elastic_ += contact.share * contact.stored_energy;
 }
 
+// The first row is the state before the first step. The motion weighed the grains when it was set
+// up itself, perhaps before gravity was.
 void FixSpecimenHistory::setup(int)
 {
-  now_ = state();
+  if (reference_.height != 0.0 && !reference_wanted_) return;
+  motion_->weigh_equilibrium();
+  reference_wanted_ = true;
+  take_sample();
+  write_row();
 }
 
 SpecimenState FixSpecimenHistory::state() const
@@ -156,9 +183,9 @@ FixSpecimenHistory::Sums FixSpecimenHistory::sum_up()
     sums.mass += atom->rmass[i];
     sums.diameter += 2.0 * r * atom->rmass[i];
     sums.weight_height += atom->rmass[i] * gravity.dot(as_vec3(atom->x[i]));
-    sums.kinetic += 0.5 * inertia *
-                    (as_vec3(atom->v[i]).squaredNorm() +
-                     0.4 * r * r * as_vec3(atom->omega[i]).squaredNorm());
+    sums.kinetic +=
+        0.5 * inertia *
+        (as_vec3(atom->v[i]).squaredNorm() + 0.4 * r * r * as_vec3(atom->omega[i]).squaredNorm());
     if (contacts_of_[i] == 0) sums.without_contact += 1.0;
     if (contacts_of_[i] == 1) sums.with_one_contact += 1.0;
     sums.ends += contacts_of_[i];
@@ -176,14 +203,17 @@ FixSpecimenHistory::Sums FixSpecimenHistory::sum_up()
 void FixSpecimenHistory::check_grains(const Sums& sums)
 {
   if (!std::isfinite(sums.kinetic) || !std::isfinite(sums.elastic))
-    error->fix_error(FLERR, this, ("the energy of the grains is not a number at step " +
-                                   std::to_string(update->ntimestep) +
-                                   ", go back to the last restart file with a smaller step").c_str());
+    error->fix_error(
+        FLERR, this,
+        ("the energy of the grains is not a number at step " + std::to_string(update->ntimestep) +
+         ", go back to the last restart file with a smaller step")
+            .c_str());
   if (static_cast<LAMMPS_NS::bigint>(sums.grains) != atom->natoms)
-    error->fix_error(FLERR, this, ("of " + std::to_string(atom->natoms) + " grains " +
-                                   std::to_string(static_cast<long>(sums.grains)) + " are left at step " +
-                                   std::to_string(update->ntimestep) +
-                                   ", enlarge the box or slow the walls").c_str());
+    error->fix_error(FLERR, this,
+                     ("of " + std::to_string(atom->natoms) + " grains " +
+                      std::to_string(static_cast<long>(sums.grains)) + " are left at step " +
+                      std::to_string(update->ntimestep) + ", enlarge the box or slow the walls")
+                         .c_str());
   double outside = 0.0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double* x = atom->x[i];
@@ -191,10 +221,11 @@ void FixSpecimenHistory::check_grains(const Sums& sums)
   }
   outside = sum_over_ranks(outside, world);
   if (outside > 0.0)
-    error->fix_error(FLERR, this, (std::to_string(static_cast<long>(outside)) +
-                                   " grains are outside the walls at step " +
-                                   std::to_string(update->ntimestep) +
-                                   ", slow the walls or raise the contact modulus").c_str());
+    error->fix_error(
+        FLERR, this,
+        (std::to_string(static_cast<long>(outside)) + " grains are outside the walls at step " +
+         std::to_string(update->ntimestep) + ", slow the walls or raise the contact modulus")
+            .c_str());
 }
 
 void FixSpecimenHistory::take_sample()
@@ -202,8 +233,14 @@ void FixSpecimenHistory::take_sample()
   const Sums sums = sum_up();
   check_grains(sums);
   now_ = state();
-  energy_ = {top_->work_on_grains() + bottom_->work_on_grains(), side_->work(), sums.weight_height,
-             sums.elastic, sums.kinetic, sums.friction, sums.rolling, sums.dashpots,
+  energy_ = {top_->work_on_grains() + bottom_->work_on_grains(),
+             side_->work(),
+             sums.weight_height,
+             sums.elastic,
+             sums.kinetic,
+             sums.friction,
+             sums.rolling,
+             sums.dashpots,
              motion_->damping_loss()};
   if (reference_wanted_) take_reference();
 
@@ -232,7 +269,8 @@ void FixSpecimenHistory::take_sample()
           shortening(reference_.radius[2], now_.radius[2]),
           equilibrium.average,
           equilibrium.maximum,
-          p > 0.0 ? inertial_number(rate, sums.diameter / sums.mass, sums.inertia / sums.solid, p) : 0.0,
+          p > 0.0 ? inertial_number(rate, sums.diameter / sums.mass, sums.inertia / sums.solid, p)
+                  : 0.0,
           energy_.work_platens - energy_start_.work_platens,
           energy_.work_side - energy_start_.work_side,
           energy_.work_gravity - energy_start_.work_gravity,
@@ -254,7 +292,6 @@ void FixSpecimenHistory::take_reference()
 
 void FixSpecimenHistory::end_of_step()
 {
-  if (reference_.height == 0.0) reference_wanted_ = true;
   take_sample();
   write_row();
 }
@@ -264,7 +301,8 @@ void FixSpecimenHistory::write_row()
   if (comm->me != 0) return;
   std::ofstream file(file_name_, fresh_file_ ? std::ios::trunc : std::ios::app);
   if (fresh_file_)
-    for (int n = 0; n < column_count; ++n) file << columns[n] << (n + 1 < column_count ? "," : "\n");
+    for (int n = 0; n < column_count; ++n)
+      file << columns[n] << (n + 1 < column_count ? "," : "\n");
   fresh_file_ = false;
   file.precision(9);
   for (int n = 0; n < column_count; ++n) file << row_[n] << (n + 1 < column_count ? "," : "\n");

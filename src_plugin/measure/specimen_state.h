@@ -2,11 +2,12 @@
 
 namespace encased_column {
 
-/// What the platens and the side of a specimen say at one time; stress [Pa] positive in compression.
+/// What the platens and the side of a specimen say at one time; stress [Pa] positive in
+/// compression.
 struct SpecimenState {
-  double height = 0.0;        ///< between the platens [m]
-  double volume = 0.0;        ///< enclosed [m^3]
-  double radius[3] = {};      ///< at 1/4, 1/2 and 3/4 of the height [m]
+  double height = 0.0;    ///< between the platens [m]
+  double volume = 0.0;    ///< enclosed [m^3]
+  double radius[3] = {};  ///< at 1/4, 1/2 and 3/4 of the height [m]
   double stress_top = 0.0, stress_bottom = 0.0, confining_stress = 0.0;
 };
 

@@ -15,7 +15,8 @@ const KeywordTable FixGrowRadius::keywords{
 };
 
 FixGrowRadius::FixGrowRadius(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : LAMMPS_NS::Fix(lmp, narg, arg), begin_(update->ntimestep)
+    : LAMMPS_NS::Fix(lmp, narg, arg),
+      begin_(update->ntimestep)
 {
   try {
     const Options options = keywords.read(narg, arg);

@@ -2,6 +2,7 @@
 
 #include "servo/rigid_wall.h"
 #include "servo/specimen_side.h"
+#include "servo/wall_shape.h"
 
 namespace encased_column {
 
@@ -14,29 +15,29 @@ class FixServoCylinder : public RigidWall, public SpecimenSide {
 
   FixServoCylinder(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   void init() override;
+  void post_force(int) override { press_grains(); }
   double compute_vector(int n) override;
 
   double enclosed_volume(double z_low, double z_high) const override;
-  double cross_section(double) const override { return section_ratio_ * radius_ * radius_; }
-  double radius_at(double) const override { return radius_; }
+  double cross_section(double) const override { return cylinder_.cross_section(); }
+  double radius_at(double) const override { return cylinder_.radius; }
   double confining_stress() const override { return load().force / loaded_area(); }
   double work() const override { return work_on_grains(); }
   bool holds(const double* center) const override;
 
  protected:
   const KeywordTable& table() const override { return keywords; }
-  WallLoad local_load() const override;
   double loaded_area() const override;
-  double usual_speed_limit() const override { return 1e-4 * radius_ / update->dt; }
-  void advance(WallMover& mover, double distance) override;
-  void measure(WallMover& mover) override;
+  double usual_speed_limit() const override { return 1e-5 * cylinder_.radius / update->dt; }
+  void advance(double distance) override { cylinder_.advance(distance); }
+  double position() const override { return cylinder_.radius; }
+  void set_position(double radius) override { cylinder_.radius = radius; }
+  void press_grains() override { press_grains_with(cylinder_); }
 
  private:
-  Vec3 center_ = Vec3::Zero();
+  CylinderShape cylinder_;
   std::string platen_ids_[2];
   FixServoPlaten* platens_[2] = {nullptr, nullptr};
-  double radius_ = 0.0;
-  double section_ratio_ = 0.0;  ///< cross section over radius^2: pi less the facets' segments [-]
 };
 
 }  // namespace encased_column

@@ -2,6 +2,7 @@
 
 #include "servo/rigid_wall.h"
 #include "servo/specimen_side.h"
+#include "servo/wall_shape.h"
 
 namespace encased_column {
 
@@ -12,26 +13,27 @@ class FixServoPlaten : public RigidWall {
 
   FixServoPlaten(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   void init() override;
+  void post_force(int) override { press_grains(); }
   double compute_vector(int n) override;
 
-  double height() const { return z_; }           ///< of its face [m]
-  double stress() const;                         ///< on the specimen's cross section [Pa]
-  bool is_top() const { return outward_ > 0.0; }
+  double height() const { return plane_.z; }                      ///< of its face [m]
+  double stress() const { return load().force / loaded_area(); }  ///< on the cross section [Pa]
+  bool is_top() const { return plane_.outward > 0.0; }
 
  protected:
   const KeywordTable& table() const override { return keywords; }
-  WallLoad local_load() const override;
   double loaded_area() const override;
   double usual_speed_limit() const override;
-  void advance(WallMover& mover, double distance) override;
-  void measure(WallMover& mover) override;
+  void advance(double distance) override { plane_.advance(distance); }
+  double position() const override { return plane_.z; }
+  void set_position(double z) override { plane_.z = z; }
+  void press_grains() override { press_grains_with(plane_); }
 
  private:
-  double outward_;  ///< +1 above the specimen, -1 below
+  PlaneShape plane_;
   double area_ = 0.0;
   std::string side_id_;
   SpecimenSide* side_ = nullptr;
-  double z_ = 0.0;
 };
 
 }  // namespace encased_column

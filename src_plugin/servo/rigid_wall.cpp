@@ -1,144 +1,105 @@
 #include "servo/rigid_wall.h"
 
-#include "core/input_error.h"
-#include "host/find_fix.h"
 #include "host/rank_sums.h"
-#include "host/wall_mover.h"
 
+#include "memory.h"
+#include "pair_gran.h"
+
+#include <algorithm>
 #include <cstring>
 
 namespace encased_column {
 
-const std::vector<Keyword>& rigid_wall_keywords()
-{
-  static const std::vector<Keyword> keywords{
-    {"mesh", 1, "-", "ID of the `fix mesh/surface` that is the wall"},
-    {"hold", 0, "-", "stands still (default)"},
-    {"velocity", 1, "m/s", "moves at this speed, positive towards the specimen"},
-    {"servo", 1, "Pa", "is driven so that the stress on it is this, zero or larger"},
-    {"ramp", 1, "steps", "with `servo`: the target grows linearly from the stress now, in so many steps"},
-    {"gain", 1, "-", "fraction of the missing force closed per step, above 0 to 0.8 (default 0.8)"},
-    {"speed_limit", 1, "m/s", "largest servo speed (default 1e-4 of the wall's radius per step)"},
-  };
-  return keywords;
-}
-
 RigidWall::RigidWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : LAMMPS_NS::Fix(lmp, narg, arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg),
+      desk_(lmp)
 {
+  if (!atom->radius_flag || !atom->rmass_flag)
+    error->fix_error(FLERR, this, "atoms have no radius and mass, use 'atom_style granular'");
   restart_global = 1;
+  restart_peratom = 1;
+  create_attribute = 1;
+  vector_flag = 1;
+  size_vector = 5;
+  global_freq = 1;
+  extvector = 0;
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+  for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
 }
 
 RigidWall::~RigidWall()
 {
-  if (mover_ && modify->find_fix(mesh_id_.c_str()) >= 0) mover_->pre_delete();
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+  memory->destroy(memory_);
 }
 
-void RigidWall::read_motion(const Options& options)
+void RigidWall::read_wall(const Options& options)
 {
-  if (options.has("mesh")) {
-    mesh_id_ = options.word("mesh");
-    mesh_ = find_fix<LAMMPS_NS::FixMeshSurface>(lmp, "mesh", mesh_id_, "fix mesh/surface");
+  if (options.has("type") || wall_type_ == 0) {
+    wall_type_ = static_cast<int>(options.integer("type", 1));
+    if (wall_type_ > atom->ntypes)
+      throw InputError("'type' must be one of the " + std::to_string(atom->ntypes) +
+                       " atom types, found " + std::to_string(wall_type_) +
+                       ", write a smaller one or make room in 'create_box'");
   }
-  if (options.has("hold") + options.has("velocity") + options.has("servo") > 1)
-    throw InputError("a wall does one of 'hold', 'velocity' and 'servo', found more than one, write one of them");
-  if (options.has("ramp") && !options.has("servo"))
-    throw InputError("'ramp' goes with 'servo', found it alone, write 'servo STRESS ramp STEPS'");
-  gain_ = options.between("gain", 1e-3, 0.8, gain_);
-  if (options.has("speed_limit")) speed_limit_ = options.positive("speed_limit");
-  if (options.has("hold")) drive_ = Drive::hold;
-  if (options.has("velocity")) {
-    drive_ = Drive::speed;
-    speed_ = options.number("velocity");
-  }
-  if (options.has("servo")) {
-    ramp_from_ = measured_ ? load_.force / loaded_area() : 0.0;
-    ramp_steps_ = options.integer("ramp", 1, 0);
-    ramp_start_ = update->ntimestep;
-    target_ = options.not_negative("servo", 0.0);
-    drive_ = Drive::stress;
-  }
+  const double area = load_.stiffness > 0.0 ? loaded_area() : 0.0;
+  drive_.read(options, update->ntimestep, area > 0.0 ? load_.force / area : 0.0);
 }
 
 int RigidWall::setmask()
 {
   using namespace LAMMPS_NS::FixConst;
-  return INITIAL_INTEGRATE | PRE_FORCE | FINAL_INTEGRATE;
+  return INITIAL_INTEGRATE | POST_FORCE | FINAL_INTEGRATE;
 }
 
 void RigidWall::init()
 {
+  auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
+  rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
-    mesh_ = find_fix<LAMMPS_NS::FixMeshSurface>(lmp, "mesh", mesh_id_, "fix mesh/surface");
+    desk_.open(rolling_);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  if (!mover_) mover_ = std::make_unique<WallMover>(lmp, mesh_);
 }
 
-void RigidWall::setup_pre_force(int)
+// Set-up repeats the forces of the step before: what contacts remember stays as it is.
+void RigidWall::setup(int flags)
 {
-  wall_contacts.clear();
-  measure(*mover_);
-  measured_ = true;
+  advance_memory_ = false;
+  post_force(flags);
+  advance_memory_ = true;
+  sum_load();
 }
 
-void RigidWall::pre_force(int)
+void RigidWall::sum_load()
 {
-  wall_contacts.clear();
-}
-
-void RigidWall::setup(int)
-{
-  take_load();
-}
-
-void RigidWall::take_load()
-{
-  const WallLoad local = local_load();
-  double sums[2] = {local.force, local.stiffness};
+  double sums[2] = {load_.force, load_.stiffness};
   sum_over_ranks(sums, 2, world);
   load_ = {sums[0], sums[1]};
 }
 
-double RigidWall::target_now() const
-{
-  const LAMMPS_NS::bigint done = update->ntimestep - ramp_start_;
-  if (done >= ramp_steps_) return target_;
-  return ramp_from_ + (target_ - ramp_from_) * static_cast<double>(done) / static_cast<double>(ramp_steps_);
-}
-
-void RigidWall::choose_speed()
-{
-  if (drive_ == Drive::hold) speed_ = 0.0;
-  if (drive_ == Drive::stress)
-    speed_ = servo_speed(load_, target_now(), loaded_area(), gain_, update->dt,
-                         speed_limit_ > 0.0 ? speed_limit_ : usual_speed_limit());
-}
-
-// The load is read here and not in setup(): walls behind this fix in the deck are set up later.
 void RigidWall::initial_integrate(int)
 {
-  take_load();
+  speed_ = drive_.speed(update->ntimestep, update->dt, load_, loaded_area(), usual_speed_limit());
   force_before_ = load_.force;
-  choose_speed();
-  advance(*mover_, speed_ * update->dt);
+  advance(speed_ * update->dt);
 }
 
 // Trapezoid of the force over the step: the work a spring between wall and grain really takes.
 void RigidWall::final_integrate()
 {
-  take_load();
+  sum_load();
   work_ += 0.5 * (force_before_ + load_.force) * speed_ * update->dt;
 }
 
 int RigidWall::modify_param(int narg, char** arg)
 {
   try {
-    const Options options = table().read(narg, arg, 0);
-    if (options.has("mesh"))
-      throw InputError("'mesh' cannot change, found 'mesh " + options.word("mesh") + "', make a new fix");
-    read_motion(options);
+    read_wall(table().read(narg, arg, 0));
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -148,14 +109,61 @@ int RigidWall::modify_param(int narg, char** arg)
 void RigidWall::write_restart(FILE* file)
 {
   if (comm->me != 0) return;
-  const int size = sizeof(double);
+  const double saved[2] = {work_, position()};
+  const int size = sizeof(saved);
   fwrite(&size, sizeof(int), 1, file);
-  fwrite(&work_, sizeof(double), 1, file);
+  fwrite(saved, sizeof(saved), 1, file);
 }
 
 void RigidWall::restart(char* buffer)
 {
-  std::memcpy(&work_, buffer, sizeof(double));
+  double saved[2];
+  std::memcpy(saved, buffer, sizeof(saved));
+  work_ = saved[0];
+  set_position(saved[1]);
+}
+
+void RigidWall::grow_arrays(int n)
+{
+  memory->grow(memory_, n, memory_size_rolling, "wall:memory");
+}
+
+void RigidWall::copy_arrays(int from, int to, int)
+{
+  std::copy_n(memory_[from], memory_size_rolling, memory_[to]);
+}
+
+void RigidWall::set_arrays(int i)
+{
+  std::fill_n(memory_[i], memory_size_rolling, 0.0);
+  memory_[i][3] = -1.0;  // never touched: step 0 counts as a first contact too
+}
+
+int RigidWall::pack_exchange(int i, double* buffer)
+{
+  std::copy_n(memory_[i], memory_size_rolling, buffer);
+  return memory_size_rolling;
+}
+
+int RigidWall::unpack_exchange(int i, double* buffer)
+{
+  std::copy_n(buffer, memory_size_rolling, memory_[i]);
+  return memory_size_rolling;
+}
+
+int RigidWall::pack_restart(int i, double* buffer)
+{
+  buffer[0] = memory_size_rolling + 1;
+  std::copy_n(memory_[i], memory_size_rolling, buffer + 1);
+  return memory_size_rolling + 1;
+}
+
+// The host hands over each atom's record as a chain: the n-th block in it is ours.
+void RigidWall::unpack_restart(int nlocal, int nth)
+{
+  const double* block = atom->extra[nlocal];
+  for (int n = 0; n < nth; ++n) block += static_cast<int>(block[0]);
+  std::copy_n(block + 1, memory_size_rolling, memory_[nlocal]);
 }
 
 }  // namespace encased_column

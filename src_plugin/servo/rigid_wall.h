@@ -1,78 +1,111 @@
 #pragma once
 
+#include "contact/contact_desk.h"
+#include "core/input_error.h"
 #include "core/keyword_table.h"
-#include "host/contact_probe.h"
-#include "servo/servo_law.h"
+#include "host/host_types.h"
+#include "servo/wall_drive.h"
 
-#include <memory>
 #include <string>
 
 namespace encased_column {
 
-class WallMover;
-
-/// A rigid wall made of one mesh, standing still, moving at a speed, or driven by a stress.
-/// What a platen and a cylinder share: the mesh, its motion, its contacts, its load and work.
-class RigidWall : public LAMMPS_NS::Fix, public WallContactOwner {
+/// What a rigid platen and a rigid cylinder share: contacts with the grains by the linear law, the
+/// drive, the load, the work, and the state in restart files. The walls are exact surfaces, not
+/// meshes: on facets a grain that rolls over an edge is pushed by two of them, then by one, and
+/// never comes to rest.
+class RigidWall : public LAMMPS_NS::Fix {
  public:
   RigidWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~RigidWall() override;
 
   int setmask() override;
   void init() override;
-  void setup_pre_force(int) override;
   void setup(int) override;
   void initial_integrate(int) override;
-  void pre_force(int) override;
   void final_integrate() override;
   int modify_param(int narg, char** arg) override;
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
-  LAMMPS_NS::FixMeshSurface* wall_mesh() const override { return mesh_; }
+  void grow_arrays(int n) override;
+  void copy_arrays(int from, int to, int delete_flag) override;
+  void set_arrays(int i) override;
+  int pack_exchange(int i, double* buffer) override;
+  int unpack_exchange(int i, double* buffer) override;
+  int pack_restart(int i, double* buffer) override;
+  void unpack_restart(int nlocal, int nth) override;
+  int size_restart(int) override { return memory_size_rolling + 1; }
+  int maxsize_restart() override { return memory_size_rolling + 1; }
 
   const WallLoad& load() const { return load_; }
   double work_on_grains() const { return work_; }
-  /// Speed [m/s] towards the specimen.
-  double speed() const { return speed_; }
+  double speed() const { return speed_; }  ///< towards the specimen [m/s]
 
  protected:
-  /// Keywords every rigid wall reads; a derived table begins with them.
-  void read_motion(const Options& options);
+  void read_wall(const Options& options);
   virtual const KeywordTable& table() const = 0;
-  /// Force and stiffness of this rank's contacts.
-  virtual WallLoad local_load() const = 0;
-  /// Area [m^2] that turns the target stress into a force.
-  virtual double loaded_area() const = 0;
-  /// Largest speed [m/s] when the deck gives none.
+  virtual double loaded_area() const = 0;  ///< turns stress into force [m^2]
   virtual double usual_speed_limit() const = 0;
-  /// Moves the mesh by `distance` [m] towards the specimen and gives its nodes their velocity.
-  virtual void advance(WallMover& mover, double distance) = 0;
-  /// Called once the mesh is complete on all ranks.
-  virtual void measure(WallMover& mover) = 0;
+  virtual void advance(double distance) = 0;  ///< towards the specimen [m]
+  /// One number [m] that says where the wall is, for the restart file.
+  virtual double position() const = 0;
+  virtual void set_position(double position) = 0;
+  virtual void press_grains() = 0;
 
-  WallMover& mover() { return *mover_; }
-  LAMMPS_NS::FixMeshSurface* mesh_ = nullptr;
+  /// Contacts of all grains with `shape`; called by press_grains().
+  template <typename Shape>
+  void press_grains_with(const Shape& shape);
 
  private:
-  enum class Drive { hold, speed, stress };
-  void take_load();
-  double target_now() const;
-  void choose_speed();
+  template <bool rolling, typename Shape>
+  void press(const Shape& shape);
+  void sum_load();
 
-  std::string mesh_id_;
-  std::unique_ptr<WallMover> mover_;
-  Drive drive_ = Drive::hold;
-  double target_ = 0.0, ramp_from_ = 0.0;
-  LAMMPS_NS::bigint ramp_start_ = 0, ramp_steps_ = 0;
-  double gain_ = 0.8;
-  double speed_limit_ = 0.0;  ///< 0: usual_speed_limit()
-  bool measured_ = false;
+  WallDrive drive_;
+  ContactDesk desk_;
+  int wall_type_ = 0;
+  bool rolling_ = false;
+  bool advance_memory_ = true;
+  double** memory_ = nullptr;  ///< per grain: what its contact with this wall remembers
   WallLoad load_;
   double speed_ = 0.0, work_ = 0.0, force_before_ = 0.0;
 };
 
-/// The keywords of RigidWall.
-const std::vector<Keyword>& rigid_wall_keywords();
+template <typename Shape>
+void RigidWall::press_grains_with(const Shape& shape)
+{
+  desk_.ask_probes();
+  load_ = WallLoad();
+  if (rolling_)
+    press<true>(shape);
+  else
+    press<false>(shape);
+}
+
+template <bool rolling, typename Shape>
+void RigidWall::press(const Shape& shape)
+{
+  const double step = static_cast<double>(update->ntimestep);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double radius = atom->radius[i];
+    const double overlap = shape.overlap(atom->x[i], radius);
+    if (overlap <= 0.0 || !(atom->mask[i] & groupbit)) continue;
+    const Vec3 normal = shape.normal(atom->x[i]);
+    const Touch touch{overlap,
+                      normal,
+                      atom->rmass[i],
+                      {radius, as_vec3(atom->v[i]), as_vec3(atom->omega[i])},
+                      {0.0, -speed_ * normal, Vec3::Zero()}};
+    const ContactAction action =
+        resolve_contact<rolling>(desk_.material(atom->type[i], wall_type_), touch, update->dt, step,
+                                 advance_memory_, memory_[i]);
+    as_vec3(atom->f[i]) += action.force;
+    as_vec3(atom->torque[i]) += action.moment_i;
+    load_.force += action.normal_force;
+    load_.stiffness += action.stiffness.normal;
+    desk_.book(i, -1, 1.0, advance_memory_, touch, action);
+  }
+}
 
 }  // namespace encased_column

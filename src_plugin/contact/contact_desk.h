@@ -1,0 +1,55 @@
+#pragma once
+
+#include "contact/resolve_contact.h"
+#include "host/contact_probe.h"
+
+#include <vector>
+
+namespace encased_column {
+
+/// What pairs and walls share around the contact law: the materials the deck gave, the probes that
+/// listen, and the account of losses. One for each pair style, wall model and rigid wall.
+class ContactDesk {
+ public:
+  explicit ContactDesk(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
+
+  /// At the start of a run: reads materials, finds probes and the account. Throws InputError.
+  void open(bool rolling);
+
+  /// At the start of a force computation (cheap when asked again in the same step).
+  void ask_probes()
+  {
+    if (asked_step_ != lmp_->update->ntimestep) ask_probes_anew();
+  }
+
+  const ContactMaterial& material(int type_i, int type_j) const
+  {
+    return materials_[type_i * stride_ + type_j];
+  }
+
+  /// Books the losses and tells the probes; `share` as in Contact, j = -1 for a wall.
+  void book(int i, int j, double share, bool advance, const Touch& touch,
+            const ContactAction& action)
+  {
+    if (advance) {
+      losses_->friction += share * action.friction_loss;
+      losses_->dashpots += share * action.dashpot_loss;
+      losses_->rolling += share * action.rolling_loss;
+    }
+    if (!active_.empty()) tell_probes(i, j, share, touch, action);
+  }
+
+ private:
+  void ask_probes_anew();
+  void tell_probes(int i, int j, double share, const Touch& touch, const ContactAction& action);
+
+  LAMMPS_NS::LAMMPS* lmp_;
+  int stride_ = 0;
+  std::vector<ContactMaterial> materials_;
+  std::vector<ContactProbe*> probes_, active_;
+  ContactLosses no_account_;
+  ContactLosses* losses_ = &no_account_;
+  LAMMPS_NS::bigint asked_step_ = -1;
+};
+
+}  // namespace encased_column

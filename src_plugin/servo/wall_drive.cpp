@@ -1,0 +1,62 @@
+#include "servo/wall_drive.h"
+
+#include "core/input_error.h"
+
+namespace encased_column {
+
+const std::vector<Keyword>& WallDrive::keywords()
+{
+  static const std::vector<Keyword> keywords{
+      {"type", 1, "-", "atom type that stands for the wall's material"},
+      {"hold", 0, "-", "stands still (default)"},
+      {"velocity", 1, "m/s", "moves at this speed, positive towards the specimen"},
+      {"servo", 1, "Pa", "follows this stress, zero or larger"},
+      {"ramp", 1, "steps", "with `servo`: the target grows linearly from the stress now"},
+      {"gain", 1, "-", "part of the missing force closed per step, 0.001 to 0.8 (default 0.8)"},
+      {"speed_limit", 1, "m/s", "largest servo speed (default 1e-5 radii per step)"},
+  };
+  return keywords;
+}
+
+void WallDrive::read(const Options& options, long step, double stress_now)
+{
+  if (options.has("hold") + options.has("velocity") + options.has("servo") > 1)
+    throw InputError(
+        "a wall does one of 'hold', 'velocity' and 'servo', found more than one, "
+        "write one of them");
+  if (options.has("ramp") && !options.has("servo"))
+    throw InputError("'ramp' goes with 'servo', found it alone, write 'servo STRESS ramp STEPS'");
+  gain_ = options.between("gain", 1e-3, 0.8, gain_);
+  if (options.has("speed_limit")) speed_limit_ = options.positive("speed_limit");
+  if (options.has("hold")) mode_ = Mode::hold;
+  if (options.has("velocity")) {
+    mode_ = Mode::velocity;
+    velocity_ = options.number("velocity");
+  }
+  if (options.has("servo")) {
+    mode_ = Mode::servo;
+    target_ = options.not_negative("servo", 0.0);
+    ramp_from_ = stress_now;
+    ramp_start_ = step;
+    ramp_steps_ = options.integer("ramp", 1, 0);
+  }
+}
+
+double WallDrive::target(long step) const
+{
+  const long done = step - ramp_start_;
+  if (done >= ramp_steps_) return target_;
+  const double part = static_cast<double>(done) / static_cast<double>(ramp_steps_);
+  return ramp_from_ + (target_ - ramp_from_) * part;
+}
+
+double WallDrive::speed(long step, double dt, const WallLoad& load, double area,
+                        double usual_limit) const
+{
+  if (mode_ == Mode::hold) return 0.0;
+  if (mode_ == Mode::velocity) return velocity_;
+  const double limit = speed_limit_ > 0.0 ? speed_limit_ : usual_limit;
+  return servo_speed(load, target(step), area, gain_, dt, limit);
+}
+
+}  // namespace encased_column

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/keyword_table.h"
+#include "servo/servo_law.h"
+
+#include <vector>
+
+namespace encased_column {
+
+/// How a rigid wall moves: it stands still, goes at a speed, or follows a stress.
+class WallDrive {
+ public:
+  /// The keywords read() knows, for the tables of the walls.
+  static const std::vector<Keyword>& keywords();
+
+  /// Takes over what the deck gave; a ramp starts at `step` from the stress `stress_now` [Pa].
+  /// Throws InputError.
+  void read(const Options& options, long step, double stress_now);
+
+  /// Speed [m/s] towards the specimen at `step` of length `dt` [s].
+  double speed(long step, double dt, const WallLoad& load, double area, double usual_limit) const;
+
+ private:
+  enum class Mode { hold, velocity, servo };
+  double target(long step) const;
+
+  Mode mode_ = Mode::hold;
+  double velocity_ = 0.0;
+  double target_ = 0.0, ramp_from_ = 0.0;
+  long ramp_start_ = 0, ramp_steps_ = 0;
+  double gain_ = 0.8;
+  double speed_limit_ = 0.0;  ///< 0: the wall's usual limit
+};
+
+}  // namespace encased_column

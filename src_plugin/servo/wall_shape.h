@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/constants.h"
+#include "core/vec3.h"
+
+#include <cmath>
+
+namespace encased_column {
+
+/// A plane across the z axis that bounds the specimen above (outward = +1) or below (-1).
+struct PlaneShape {
+  double z = 0.0;  ///< height of its face [m]
+  double outward = 1.0;
+
+  /// Overlap [m] of a sphere with the wall; negative is a gap.
+  double overlap(const double* x, double radius) const { return radius - outward * (z - x[2]); }
+  /// Unit vector from a sphere at `x` to the wall.
+  Vec3 normal(const double*) const { return Vec3(0.0, 0.0, outward); }
+  /// Moves the face by `distance` [m] towards the specimen.
+  void advance(double distance) { z -= outward * distance; }
+};
+
+/// The inside of a cylinder about an axis along z.
+struct CylinderShape {
+  double radius = 0.0;  ///< [m]
+  double x = 0.0, y = 0.0;
+
+  /// Overlap [m] of a sphere with the wall; negative is a gap. Where the sphere is well inside, any
+  /// negative number will do, and no square root is taken.
+  double overlap(const double* center, double r) const
+  {
+    const double dx = center[0] - x, dy = center[1] - y;
+    const double square = dx * dx + dy * dy;
+    const double free = radius - r;
+    return square < free * free && free > 0.0 ? -1.0 : std::sqrt(square) - free;
+  }
+  Vec3 normal(const double* center) const
+  {
+    return Vec3(center[0] - x, center[1] - y, 0.0).normalized();
+  }
+  void advance(double distance) { radius -= distance; }
+  double cross_section() const { return pi * radius * radius; }
+};
+
+}  // namespace encased_column
