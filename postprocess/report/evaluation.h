@@ -38,7 +38,8 @@ struct TestResult {
 struct SetResult {
   std::string set;  ///< as in targets.csv
   std::vector<TestResult> tests;
-  std::optional<FailureLine> line;  ///< if the tests had two confining stresses at least
+  std::optional<FailureLine>
+      line;  ///< if two confining stresses at least give a slope from 0 up to 3
 };
 
 /// Evaluates all runs, set by set. Without `platen`, plain tests use the mean of both platens and

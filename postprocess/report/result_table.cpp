@@ -108,7 +108,9 @@ std::vector<std::string> result_notes(const SetResult& set)
                       " % strain; the curve may still rise.");
   }
   if (!set.line)
-    notes.push_back("No friction angle and cohesion: they take two confining stresses at least.");
+    notes.push_back(
+        "No friction angle and cohesion: they take peaks at two confining stresses at least, "
+        "on a line that rises by less than 3.");
   return notes;
 }
 
