@@ -12,7 +12,8 @@ double read_number(const std::string& keyword, const std::string& word)
   double value = 0.0;
   const char* begin = word.data();
   const char* end = begin + word.size();
-  if (begin != end && *begin == '+') ++begin;
+  // from_chars knows no plus sign; "+-1" stays refused.
+  if (end - begin > 1 && begin[0] == '+' && begin[1] != '-') ++begin;
   const auto [stopped, failure] = std::from_chars(begin, end, value);
   if (failure != std::errc() || stopped != end || !std::isfinite(value))
     throw InputError("'" + keyword + "' takes a finite number, found '" + word +
