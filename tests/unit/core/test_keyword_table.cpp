@@ -1,0 +1,120 @@
+#include "core/keyword_table.h"
+
+#include "core/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace encased_column;
+
+namespace {
+
+const KeywordTable table{
+    {"center", 3, "m", "center of the sphere"}, {"radius", 1, "m", "its radius"},
+    {"every", 1, "steps", "how often"},         {"mode", 1, "-", "slow or fast"},
+    {"class", 2, "-", "a size class", true},    {"hold", 0, "-", "stands still"},
+};
+
+void expect_refused(const std::function<void()>& act, const std::string& sentence)
+{
+  try {
+    act();
+    FAIL() << "not refused: " << sentence;
+  } catch (const InputError& problem) {
+    EXPECT_EQ(problem.what(), sentence);
+  }
+}
+
+void expect_words_refused(const std::vector<std::string>& words, const std::string& sentence)
+{
+  expect_refused([&] { table.read(words); }, sentence);
+}
+
+}  // namespace
+
+TEST(KeywordTable, ReadsKeywordsInAnyOrder)
+{
+  const Options options = table.read(
+      std::vector<std::string>{"radius", "0.1", "hold", "center", "1", "-2", "3e-1", "every", "7"});
+  EXPECT_EQ(options.vector("center"), Vec3(1.0, -2.0, 0.3));
+  EXPECT_EQ(options.positive("radius"), 0.1);
+  EXPECT_EQ(options.integer("every", 1), 7);
+  EXPECT_TRUE(options.has("hold"));
+  EXPECT_FALSE(options.has("mode"));
+}
+
+TEST(KeywordTable, KeepsEveryTurnOfAKeywordThatMayRepeat)
+{
+  const Options options =
+      table.read(std::vector<std::string>{"class", "1", "2", "class", "2", "5"});
+  EXPECT_EQ(options.all("class"), (std::vector<std::vector<std::string>>{{"1", "2"}, {"2", "5"}}));
+}
+
+TEST(KeywordTable, SkipsTheHostsOwnWords)
+{
+  const char* words[] = {"void", "all", "measure/sphere", "radius", "0.1"};
+  EXPECT_EQ(table.read(5, const_cast<char**>(words)).number("radius"), 0.1);
+}
+
+TEST(KeywordTable, RefusesAKeywordItDoesNotKnow)
+{
+  expect_words_refused({"raduis", "0.1"},
+                       "unknown keyword 'raduis', expected one of: center, radius, every, mode, "
+                       "class, hold");
+}
+
+TEST(KeywordTable, RefusesAMissingValue)
+{
+  expect_words_refused({"center", "1", "2"},
+                       "keyword 'center' takes 3 values, found 2, add what is missing: center of "
+                       "the sphere");
+  expect_words_refused({"radius"},
+                       "keyword 'radius' takes 1 value, found 0, add what is missing: its radius");
+}
+
+TEST(KeywordTable, RefusesAKeywordGivenTwice)
+{
+  expect_words_refused({"radius", "1", "radius", "2"},
+                       "keyword 'radius' stands twice, write it once");
+}
+
+TEST(Options, UseTheDefaultOnlyWhereNothingWasGiven)
+{
+  const Options options = table.read(std::vector<std::string>{"radius", "2", "mode", "fast"});
+  EXPECT_EQ(options.number("radius", 5.0), 2.0);
+  EXPECT_EQ(options.number("every", 5.0), 5.0);
+  EXPECT_EQ(options.word("mode", "slow"), "fast");
+  EXPECT_EQ(options.integer("every", 1, 200), 200);
+}
+
+TEST(Options, RefuseWhatIsMissing)
+{
+  const Options options = table.read(std::vector<std::string>{});
+  expect_refused([&] { options.number("radius"); },
+                 "keyword 'radius' is missing, add 'radius ...'");
+}
+
+TEST(Options, RefuseNumbersOutOfRange)
+{
+  const Options options =
+      table.read(std::vector<std::string>{"radius", "0", "every", "-1", "mode", "quick"});
+  expect_refused([&] { options.positive("radius"); }, "'radius' must be larger than zero, found 0");
+  expect_refused([&] { options.between("every", 0.0, 0.9); },
+                 "'every' must be between 0 and 0.9, found -1");
+  expect_refused([&] { options.not_negative("every", 0.0); },
+                 "'every' must be zero or larger, found -1");
+  expect_refused([&] { options.integer("every", 1); }, "'every' must be 1 or larger, found -1");
+  expect_refused(
+      [&] {
+        options.choice("mode", {"slow", "fast"});
+      },
+      "'mode' must be one of: slow, fast; found 'quick'");
+}
+
+TEST(Options, TakeTheLimitsOfARangeThemselves)
+{
+  const Options options = table.read(std::vector<std::string>{"radius", "0.8"});
+  EXPECT_EQ(options.between("radius", 0.8, 1.0), 0.8);
+  EXPECT_EQ(options.between("radius", 0.1, 0.8), 0.8);
+}
