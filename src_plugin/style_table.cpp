@@ -2,7 +2,7 @@
 
 #include "host/granular_host.h"
 
-#include "contact/model_linear.h"
+#include "contact/register_linear.h"
 #include "dynamics/fix_motion.h"
 #include "dynamics/solve_command.h"
 #include "measure/fix_specimen_history.h"

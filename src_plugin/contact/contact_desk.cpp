@@ -19,10 +19,14 @@ void ContactDesk::open(bool rolling)
 
   stride_ = lmp_->atom->ntypes + 1;
   materials_.assign(stride_ * stride_, ContactMaterial());
+  has_dashpots_ = false;
   for (int i = 1; i < stride_; ++i)
     for (int j = 1; j < stride_; ++j)
       materials_[i * stride_ + j] = {modulus.at(i, j), ratio.at(i, j),  friction.at(i, j),
                                      beta_n.at(i, j),  beta_s.at(i, j), roll.at(i, j)};
+
+  for (const ContactMaterial& m : materials_)
+    if (m.damping_normal > 0.0 || m.damping_shear > 0.0) has_dashpots_ = true;
 
   probes_ = fixes_that_are<ContactProbe>(lmp_);
   const auto accounts = fixes_that_are<ContactLossOwner>(lmp_);

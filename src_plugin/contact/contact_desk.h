@@ -27,6 +27,9 @@ class ContactDesk {
     return materials_[type_i * stride_ + type_j];
   }
 
+  /// False where no pair of types has a dashpot: nobody then needs the effective mass.
+  bool has_dashpots() const { return has_dashpots_; }
+
   /// Books the losses and tells the probes; `share` as in Contact, j = -1 for a wall.
   void book(int i, int j, double share, bool advance, const Touch& touch,
             const ContactAction& action)
@@ -45,6 +48,7 @@ class ContactDesk {
 
   LAMMPS_NS::LAMMPS* lmp_;
   int stride_ = 0;
+  bool has_dashpots_ = false;
   std::vector<ContactMaterial> materials_;
   std::vector<ContactProbe*> probes_, active_;
   ContactLosses no_account_;

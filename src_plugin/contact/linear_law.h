@@ -49,6 +49,18 @@ inline ContactVelocity contact_velocity(const Vec3& n, const Vec3& v_i, const Ve
   return {closing, relative - closing * n + (c_i * w_i + c_j * w_j).cross(n)};
 }
 
+/// Mass [kg] with which two grains meet.
+inline double effective_mass(double m_i, double m_j)
+{
+  return m_i * m_j / (m_i + m_j);
+}
+
+/// Dashpot [N s/m] of the fraction `beta` of critical damping; no square root where there is none.
+inline double dashpot(double beta, double mass, double stiffness)
+{
+  return beta > 0.0 ? 2.0 * beta * std::sqrt(mass * stiffness) : 0.0;
+}
+
 /// Force between two bodies at a contact.
 struct ContactForce {
   double normal;         ///< pressing the bodies apart, never tensile [N]
@@ -73,7 +85,7 @@ struct ContactForce {
                                                           const Vec3& n, double dt, bool advance,
                                                           Vec3& spring)
 {
-  const double c_normal = 2.0 * m.damping_normal * std::sqrt(mass * k.normal);
+  const double c_normal = dashpot(m.damping_normal, mass, k.normal);
   const double elastic = k.normal * overlap;
   const double normal = std::max(0.0, elastic + c_normal * v.closing);
 
@@ -92,7 +104,7 @@ struct ContactForce {
       spring = kept;
     }
   } else {
-    const double c_shear = 2.0 * m.damping_shear * std::sqrt(mass * k.shear);
+    const double c_shear = dashpot(m.damping_shear, mass, k.shear);
     force.shear -= c_shear * v.slip;
     if (advance) {
       force.dashpot_loss = c_shear * v.slip.squaredNorm() * dt;

@@ -34,6 +34,7 @@ class ContactModel<
     history->add_history_value("sheary", "1");
     history->add_history_value("shearz", "1");
     history->add_history_value("last_step", "0");
+    add_history_offset("contact_memory", memory_);
     if (!with_rolling) return;
     history->add_history_value("r_torquex_old", "1");
     history->add_history_value("r_torquey_old", "1");
@@ -119,28 +120,3 @@ class ContactModel<
 
 }  // namespace ContactModels
 }  // namespace LIGGGHTS
-
-namespace encased_column {
-
-/// Enters the linear law with one rolling model into the host's factories, for pairs and walls.
-template <int rolling>
-void register_linear_model()
-{
-  using namespace LIGGGHTS;
-  using Model = ContactModels::ContactModel<ContactModels::LinearStyle<rolling>>;
-  const int hash = static_cast<int>(Model::STYLE_HASHCODE);
-  ContactModels::Factory::instance().addNormalModel("linear", linear_model_number);
-  PairStyles::Factory::instance().addStyle("gran", hash,
-                                           [](LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGran* parent,
-                                              int64_t hash) -> PairStyles::IGranularPairStyle* {
-                                             return new PairStyles::Granular<Model>(lmp, parent,
-                                                                                    hash);
-                                           });
-  Walls::Factory::instance().addStyle("gran", hash,
-                                      [](LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* parent,
-                                         int64_t hash) -> Walls::IGranularWall* {
-                                        return new Walls::Granular<Model>(lmp, parent, hash);
-                                      });
-}
-
-}  // namespace encased_column

@@ -45,8 +45,9 @@ struct ContactAction {
 /// A contact that was not there one step ago starts anew, whatever the memory holds: the host keeps
 /// the history of a pair that parts and meets again between two of its list builds.
 template <bool rolling>
-ContactAction resolve_contact(const ContactMaterial& material, const Touch& t, double dt,
-                              double step, bool advance, double* memory)
+[[gnu::always_inline]] inline ContactAction resolve_contact(const ContactMaterial& material,
+                                                            const Touch& t, double dt, double step,
+                                                            bool advance, double* memory)
 {
   const bool wall = t.is_wall();
   const double smaller = wall ? t.i.radius : std::min(t.i.radius, t.j.radius);
