@@ -14,12 +14,31 @@
 namespace encased_column {
 
 const KeywordTable FixMotion::keywords{
-    {"damping", 1, "-", "local damping alpha, 0 to below 1 (default 0.7)"},
+    {"damping", 1, "-", "local damping alpha, 0 to 0.99 (default 0.7)"},
     {"step", 1, "s",
      "`stable`: true masses at the stable step (default); a number: that step, by density scaling"},
-    {"safety", 1, "-", "fraction f of the step sqrt(m/k), 0 to 1 (default 0.8)"},
+    {"safety", 1, "-", "fraction f of the step sqrt(m/k), 0.01 to 1 (default 0.8)"},
     {"every", 1, "steps", "how often stiffness, step and equilibrium are found anew (default 50)"},
 };
+
+namespace {
+
+constexpr int neighbor_multi = 2;  ///< the host's number for `neighbor ... multi`
+
+/// The step [s] of `step NUMBER`, 0 for `step stable`.
+double read_step(const Options& options)
+{
+  const std::string step = options.word("step", "stable");
+  if (step == "stable") return 0.0;
+  try {
+    return options.positive("step");
+  } catch (const InputError&) {
+    throw InputError("'step' must be 'stable' or a number larger than zero, found '" + step +
+                     "', write 'step stable' or for example 'step 1e-6'");
+  }
+}
+
+}  // namespace
 
 FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::Fix(lmp, narg, arg)
 {
@@ -28,8 +47,7 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::
     damping_ = options.between("damping", 0.0, 0.99, 0.7);
     safety_ = options.between("safety", 0.01, 1.0, 0.8);
     every_ = static_cast<int>(options.integer("every", 1, 50));
-    const bool given = options.word("step", "stable") != "stable";
-    fixed_step_ = given ? options.positive("step") : 0.0;
+    fixed_step_ = read_step(options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -62,6 +80,11 @@ int FixMotion::setmask()
 void FixMotion::init()
 {
   try {
+    // The host takes `multi` without a word, and its list of granular pairs is then empty.
+    if (neighbor->style == neighbor_multi)
+      throw InputError(
+          "'neighbor' must take the style 'bin', found 'multi', with which the host finds no "
+          "contacts, write for example 'neighbor 0.0005 bin'");
     const PairProperty modulus = read_pair_property(lmp, "contactModulus", 0.0, true);
     stiffest_material_ = 0.0;
     for (int i = 1; i <= atom->ntypes; ++i)

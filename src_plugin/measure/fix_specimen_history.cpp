@@ -18,7 +18,7 @@ const KeywordTable FixSpecimenHistory::keywords{
     {"platens", 2, "-", "IDs of the upper and the lower `fix servo/platen`"},
     {"side", 1, "-", "ID of the cylinder or sleeve around the specimen"},
     {"motion", 1, "-", "ID of the `fix motion` that moves the grains"},
-    {"every", 1, "steps", "how often a row is written (default 200)"},
+    {"every", 1, "steps", "steps between rows, a multiple of the motion's `every` (default 200)"},
     {"file", 1, "-", "name of the CSV file (default history.csv)"},
     {"reference", 0, "-", "with `fix_modify`: strains, works and losses count from here on"},
 };
@@ -71,7 +71,9 @@ FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** 
     motion_id_ = options.word("motion");
     nevery = static_cast<int>(options.integer("every", 1, 200));
     file_name_ = options.word("file", "history.csv");
-    if (comm->me == 0 && !std::ofstream(file_name_, std::ios::app))
+    int writable = comm->me != 0 || std::ofstream(file_name_, std::ios::app);
+    MPI_Bcast(&writable, 1, MPI_INT, 0, world);
+    if (!writable)
       throw InputError("'file' must be a file that can be written, found '" + file_name_ +
                        "', create its folder or give another name");
   } catch (const InputError& problem) {

@@ -9,9 +9,10 @@
 namespace encased_column {
 
 const KeywordTable FixGrowRadius::keywords{
-    {"from", 1, "-", "radius over full radius at the start, as given to `create_packing`"},
-    {"stages", 1, "-", "number of times the radii grow (default 100)"},
-    {"relax", 1, "steps", "steps between two stages (default 50)"},
+    {"from", 1, "-",
+     "radius over full radius at the start, 0.01 to 1 (`start_factor` of create_packing)"},
+    {"stages", 1, "-", "number of stages in which the radii grow (default 100)"},
+    {"relax", 1, "steps", "steps from one stage to the next (default 50)"},
 };
 
 FixGrowRadius::FixGrowRadius(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
@@ -20,7 +21,7 @@ FixGrowRadius::FixGrowRadius(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 {
   try {
     const Options options = keywords.read(narg, arg);
-    start_ = options.between("from", 0.1, 1.0);
+    start_ = options.between("from", 0.01, 1.0);
     stages_ = options.integer("stages", 1, 100);
     steps_per_stage_ = options.integer("relax", 1, 50);
   } catch (const InputError& problem) {

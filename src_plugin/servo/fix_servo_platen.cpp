@@ -8,7 +8,7 @@ const KeywordTable FixServoPlaten::keywords{
     WallDrive::keywords(),
     {
         {"position", 1, "-", "`top` or `bottom` of the specimen"},
-        {"z", 1, "m", "height of its face"},
+        {"z", 1, "m", "height of its face at the start"},
         {"side", 1, "-", "ID of the specimen's side, whose cross section carries the load"},
         {"area", 1, "m^2", "instead of `side`: a constant area"},
     }};

@@ -7,11 +7,11 @@ namespace encased_column {
 const std::vector<Keyword>& WallDrive::keywords()
 {
   static const std::vector<Keyword> keywords{
-      {"type", 1, "-", "atom type that stands for the wall's material"},
+      {"type", 1, "-", "atom type that stands for the material of the wall"},
       {"hold", 0, "-", "stands still (default)"},
       {"velocity", 1, "m/s", "moves at this speed, positive towards the specimen"},
-      {"servo", 1, "Pa", "follows this stress, zero or larger"},
-      {"ramp", 1, "steps", "with `servo`: the target grows linearly from the stress now"},
+      {"servo", 1, "Pa", "moves so that the grains press with this stress, zero or larger"},
+      {"ramp", 1, "steps", "with `servo`: the target gets there linearly in so many steps"},
       {"gain", 1, "-", "part of the missing force closed per step, 0.001 to 0.8 (default 0.8)"},
       {"speed_limit", 1, "m/s", "largest servo speed (default 1e-5 radii per step)"},
   };
