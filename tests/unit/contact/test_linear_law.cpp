@@ -199,6 +199,15 @@ TEST(LinearContact, LeavesItsMemoryAloneUnlessItAdvances)
   EXPECT_EQ(f.dashpot_loss, 0.0);
 }
 
+TEST(LinearContact, GivesTheForceOfItsSpringAsItIsUnlessItAdvances)
+{
+  const ContactMaterial material{1.0, 1.0, 10.0, 0.0, 0.0, 0.0};
+  Vec3 spring(0.0, 2e-4, 0.0);
+  const ContactForce f = linear_contact(material, {1e5, 1e5}, 1e-3, 1.0, {0.0, {0.0, 1.0, 0.0}},
+                                        along_x, 1e-4, false, spring);
+  EXPECT_NEAR((f.shear - Vec3(0.0, -20.0, 0.0)).norm(), 0.0, 1e-12);
+}
+
 TEST(LinearContact, ShearDashpotTakesItsForceTimesTheSlip)
 {
   const ContactMaterial material{1.0, 1.0, 10.0, 0.0, 0.2, 0.0};
