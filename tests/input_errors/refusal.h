@@ -6,8 +6,9 @@
 
 namespace encased_column::testing {
 
-/// Expects that `lines`, put after the opening deck, end the program before its first step with an exit
-/// code that is not 0 and `sentence` on the screen; on two ranks too, where nobody may be left waiting.
+/// Expects that `lines`, put after the opening deck, end the program before its first step with an
+/// exit code that is not 0 and `sentence` on the screen; on two ranks too, where nobody may be left
+/// waiting.
 inline void expect_refused(const std::string& opening, const std::string& lines,
                            const std::string& sentence)
 {

@@ -26,13 +26,14 @@ run   1
 
 TEST(ContactLaw, RefusesAStiffnessRatioOfZero)
 {
-  expect_refused("two_grains", R"(
+  expect_refused(
+      "two_grains", R"(
 unfix kappa
 fix   kappa all property/global stiffnessRatio peratomtypepair 2 1 0 0 1
 run   1
 )",
-                 "'stiffnessRatio' must be larger than 0 for every pair of types, found 0 for types "
-                 "1 and 2");
+      "'stiffnessRatio' must be larger than 0 for every pair of types, found 0 for types "
+      "1 and 2");
 }
 
 TEST(ContactLaw, RefusesADeckWithoutModulus)

@@ -67,7 +67,8 @@ TEST(RunCommand, RefusesAVariableTheDeckDoesNotHave)
 {
   const Outcome outcome = run_command({"--set", "sigma_3=50e3"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(outcome.says("run: deck triaxial_plain has no variable 'sigma_3', expected one of: "));
+  EXPECT_TRUE(
+      outcome.says("run: deck triaxial_plain has no variable 'sigma_3', expected one of: "));
 }
 
 TEST(RunCommand, RefusesASettingThatIsNotNameAndValue)

@@ -1,5 +1,6 @@
-// Every user page src_plugin/*/*.md tells the truth: its keywords are those of the program, its examples
-// run and print what it says, on any number of ranks, and its mistakes are refused as it says.
+// Every user page src_plugin/*/*.md tells the truth: its keywords are those of the program, its
+// examples run and print what it says, on any number of ranks, and its mistakes are refused as it
+// says.
 #include "pages/user_page.h"
 #include "support/child_program.h"
 
@@ -68,15 +69,16 @@ void check_example(const Example& example, int ranks)
       EXPECT_TRUE(outcome.says(sentence)) << sentence << "\nnot in\n" << end_of(outcome.output);
   } else {
     EXPECT_EQ(outcome.exit_code, 0) << end_of(outcome.output);
-    EXPECT_EQ(missing_line(example.output, outcome.lines()), "")
-        << "is not in its place in\n" << end_of(outcome.output);
+    EXPECT_EQ(missing_line(example.output, outcome.lines()), "") << "is not in its place in\n"
+                                                                 << end_of(outcome.output);
   }
 }
 
 std::string name_of(const fs::path& page)
 {
   std::string name = page.parent_path().filename().string() + "_" + page.stem().string();
-  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
   return name;
 }
 
@@ -113,5 +115,6 @@ TEST(Pages, ThereIsOneForEveryStyle)
   std::vector<std::string> titles;
   for (const fs::path& page : all_pages()) titles.push_back(read_page(page).title);
   for (const auto& [style, keywords] : styles_of_the_program())
-    EXPECT_EQ(std::count(titles.begin(), titles.end(), style), 1) << "pages titled '# " << style << "'";
+    EXPECT_EQ(std::count(titles.begin(), titles.end(), style), 1)
+        << "pages titled '# " << style << "'";
 }

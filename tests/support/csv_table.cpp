@@ -32,8 +32,8 @@ CsvTable::CsvTable(const std::filesystem::path& file)
   while (std::getline(stream, line)) {
     const std::vector<std::string> cells = split(line);
     if (cells.size() != names.size())
-      throw std::runtime_error("row " + std::to_string(rows_ + 1) + " of " + file.string() + " has " +
-                               std::to_string(cells.size()) + " values, not " +
+      throw std::runtime_error("row " + std::to_string(rows_ + 1) + " of " + file.string() +
+                               " has " + std::to_string(cells.size()) + " values, not " +
                                std::to_string(names.size()));
     for (std::size_t i = 0; i < names.size(); ++i) {
       char* end = nullptr;

@@ -15,7 +15,7 @@ class CsvTable {
   explicit CsvTable(const std::filesystem::path& file);
 
   /// The column under `name`, given as the file has it ("height [m]"); throws std::out_of_range.
-  const std::vector<double>& column(const std::string& name) const { return columns_.at(name); }
+  std::vector<double> column(const std::string& name) const { return columns_.at(name); }
   std::size_t rows() const { return rows_; }
 
  private:
