@@ -133,16 +133,24 @@ std::string KeywordTable::names() const
   return list_of(names);
 }
 
+std::vector<Keyword>::const_iterator KeywordTable::find(const std::string& name) const
+{
+  return std::find_if(keywords_.begin(), keywords_.end(),
+                      [&](const Keyword& k) { return k.name == name; });
+}
+
 Options KeywordTable::read(const std::vector<std::string>& words) const
 {
   Options options;
   std::size_t next = 0;
+  // A missing value swallows the keyword that follows: allowed, as IDs may be named like keywords,
+  // but the likely reason when the word after it is unknown.
+  std::string doubt;
   while (next < words.size()) {
     const std::string& name = words[next++];
-    const auto keyword = std::find_if(keywords_.begin(), keywords_.end(),
-                                      [&](const Keyword& k) { return k.name == name; });
+    const auto keyword = find(name);
     if (keyword == keywords_.end())
-      throw InputError("unknown keyword '" + name + "', expected one of: " + names());
+      throw InputError("unknown keyword '" + name + "', expected one of: " + names() + doubt);
     if (options.has(name) && !keyword->repeats)
       throw InputError("keyword '" + name + "' stands twice, write it once");
     const std::size_t wanted = keyword->values;
@@ -154,6 +162,9 @@ Options KeywordTable::read(const std::vector<std::string>& words) const
     const auto first = words.begin() + static_cast<long>(next);
     options.found_[name].emplace_back(first, first + static_cast<long>(wanted));
     next += wanted;
+    doubt = wanted > 0 && find(words[next - 1]) != keywords_.end()
+                ? "; or '" + name + "' lacks a value, its last is '" + words[next - 1] + "'"
+                : "";
   }
   return options;
 }

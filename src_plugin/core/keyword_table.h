@@ -72,6 +72,8 @@ class KeywordTable {
   std::string names() const;
 
  private:
+  std::vector<Keyword>::const_iterator find(const std::string& name) const;
+
   std::vector<Keyword> keywords_;
 };
 

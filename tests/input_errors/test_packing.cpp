@@ -1,0 +1,74 @@
+#include "input_errors/refusal.h"
+
+using namespace encased_column::testing;
+
+namespace {
+
+const std::string header =
+    "print \"diameter_low [m],diameter_high [m],mass_percent [%]\" file gravel.csv\n";
+
+/// A `create_packing` of a gradation with the classes `lines`, with `changed` in place of porosity.
+std::string packing(const std::string& lines, const std::string& changed = "porosity 0.4")
+{
+  return header + lines + "create_packing gradation gravel.csv cylinder 0.05 0 0.2 density 1738 " +
+         "type 1 seed 1 " + changed + "\nrun 1\n";
+}
+
+const std::string one_class = "print \"0.005,0.010,100\" append gravel.csv\n";
+
+}  // namespace
+
+TEST(Packing, RefusesAGradationThatDoesNotSumTo100)
+{
+  expect_refused("empty_cylinder",
+                 packing("print \"0.002,0.005,20\" append gravel.csv\n"
+                         "print \"0.005,0.010,75\" append gravel.csv\n"),
+                 "'gradation' gravel.csv: the mass percents of a gradation must sum to 100, found "
+                 "95, correct the percents");
+}
+
+TEST(Packing, RefusesAPorosityOutOfReach)
+{
+  expect_refused("empty_cylinder", packing(one_class, "porosity 0.04"),
+                 "'porosity' must be between 0.1 and 0.7, found 0.04");
+}
+
+TEST(Packing, RefusesAPorosityInPercent)
+{
+  expect_refused("empty_cylinder", packing(one_class, "porosity 40"),
+                 "'porosity' must be between 0.1 and 0.7, found 40");
+}
+
+TEST(Packing, RefusesWhatFindsNoRoom)
+{
+  expect_refused("empty_cylinder", packing(one_class, "porosity 0.2 start_factor 1"),
+                 "write a smaller one, for example 'start_factor 0.5'");
+}
+
+TEST(Packing, RefusesAFileThatIsNotThere)
+{
+  expect_refused("empty_cylinder",
+                 "create_packing gradation no.csv cylinder 0.05 0 0.2 porosity 0.4 density 1738 "
+                 "type 1 seed 1\nrun 1\n",
+                 "'gradation' must name a file that can be read, found 'no.csv', check the path "
+                 "from where the deck runs");
+}
+
+TEST(Packing, RefusesAReportThatCannotBeWritten)
+{
+  expect_refused("empty_cylinder", packing(one_class, "porosity 0.4 report no_folder/report.csv"),
+                 "'report' must name a file that can be written, found 'no_folder/report.csv', "
+                 "make its folder first");
+}
+
+TEST(Growth, RefusesAStartBeyondTheFullRadius)
+{
+  expect_refused("one_grain", "fix grow all grow/radius from 1.5\nrun 1\n",
+                 "'from' must be between 0.01 and 1, found 1.5");
+}
+
+TEST(Growth, RefusesNoStages)
+{
+  expect_refused("one_grain", "fix grow all grow/radius from 0.5 stages 0\nrun 1\n",
+                 "'stages' must be 1 or larger, found 0");
+}
