@@ -3,6 +3,7 @@
 #include "core/constants.h"
 #include "core/input_error.h"
 #include "dynamics/local_damping.h"
+#include "host/pair_history.h"
 #include "host/pair_property.h"
 #include "host/rank_sums.h"
 
@@ -54,6 +55,7 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::
   if (!atom->radius_flag || !atom->rmass_flag)
     error->fix_error(FLERR, this, "atoms have no radius and mass, use 'atom_style granular'");
   time_integrate = 1;
+  time_depend = 1;  // contacts remember step numbers
   restart_global = 1;
   create_attribute = 1;
   vector_flag = 1;
@@ -294,6 +296,7 @@ int FixMotion::unpack_exchange(int i, double* buffer)
 
 void FixMotion::write_restart(FILE* file)
 {
+  save_pair_history(lmp);
   const double loss = damping_loss();
   if (comm->me != 0) return;
   const int size = sizeof(double);
