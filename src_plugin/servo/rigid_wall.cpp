@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 namespace encased_column {
 
@@ -16,6 +17,7 @@ RigidWall::RigidWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 {
   if (!atom->radius_flag || !atom->rmass_flag)
     error->fix_error(FLERR, this, "atoms have no radius and mass, use 'atom_style granular'");
+  time_depend = 1;  // contacts and ramps remember step numbers
   restart_global = 1;
   restart_peratom = 1;
   create_attribute = 1;
@@ -38,15 +40,21 @@ RigidWall::~RigidWall()
 
 void RigidWall::read_wall(const Options& options)
 {
-  if (options.has("type") || wall_type_ == 0) {
+  const bool on_fix_line = wall_type_ == 0;
+  if (on_fix_line) on_fix_line_ = options;
+  if (options.has("type") || on_fix_line) {
     wall_type_ = static_cast<int>(options.integer("type", 1));
     if (wall_type_ > atom->ntypes)
       throw InputError("'type' must be one of the " + std::to_string(atom->ntypes) +
                        " atom types, found " + std::to_string(wall_type_) +
                        ", write a smaller one or make room in 'create_box'");
   }
-  const double area = load_.stiffness > 0.0 ? loaded_area() : 0.0;
-  drive_.read(options, update->ntimestep, area > 0.0 ? load_.force / area : 0.0);
+  drive_.read(options, update->ntimestep, stress_now());
+}
+
+double RigidWall::stress_now() const
+{
+  return load_.stiffness > 0.0 ? load_.force / loaded_area() : 0.0;
 }
 
 int RigidWall::setmask()
@@ -108,19 +116,24 @@ int RigidWall::modify_param(int narg, char** arg)
 
 void RigidWall::write_restart(FILE* file)
 {
+  static_assert(std::is_trivially_copyable_v<Saved>);
   if (comm->me != 0) return;
-  const double saved[2] = {work_, position()};
-  const int size = sizeof(saved);
+  const Saved saved{work_, position(), speed_, stress_now(), drive_};
+  const int size = sizeof(Saved);
   fwrite(&size, sizeof(int), 1, file);
-  fwrite(saved, sizeof(saved), 1, file);
+  fwrite(&saved, sizeof(Saved), 1, file);
 }
 
+// The wall goes on as it did, but for what the fix line says of its drive.
 void RigidWall::restart(char* buffer)
 {
-  double saved[2];
-  std::memcpy(saved, buffer, sizeof(saved));
-  work_ = saved[0];
-  set_position(saved[1]);
+  Saved saved;
+  std::memcpy(&saved, buffer, sizeof(Saved));
+  work_ = saved.work;
+  speed_ = saved.speed;
+  set_position(saved.position);
+  drive_ = saved.drive;
+  drive_.read(on_fix_line_, update->ntimestep, saved.stress);
 }
 
 void RigidWall::grow_arrays(int n)

@@ -62,6 +62,15 @@ class RigidWall : public LAMMPS_NS::Fix {
   void press(const Shape& shape);
   void sum_load();
 
+  /// The state in a restart file; the stress is where a ramp would start.
+  struct Saved {
+    double work, position, speed, stress;
+    WallDrive drive;
+  };
+
+  double stress_now() const;
+
+  Options on_fix_line_;
   WallDrive drive_;
   ContactDesk desk_;
   int wall_type_ = 0;
