@@ -8,6 +8,7 @@
 #include "host/rank_sums.h"
 #include "measure/coordination.h"
 #include "measure/sphere_overlap.h"
+#include "output/whole_file.h"
 #include "servo/fix_servo_platen.h"
 
 #include <cstring>
@@ -331,11 +332,23 @@ double FixSpecimenHistory::compute_vector(int n)
 }
 
 namespace {
+
 struct Saved {
   SpecimenState reference;
   EnergyAccount start;
   ContactLosses losses;
+  double row[column_count];
 };
+
+/// The lines of `file` that start with a step up to `last`, and the one with the names.
+std::string rows_up_to(double last, std::ifstream file)
+{
+  std::string kept, line;
+  while (std::getline(file, line))
+    if (kept.empty() || std::strtod(line.c_str(), nullptr) <= last) kept += line + "\n";
+  return kept;
+}
+
 }  // namespace
 
 void FixSpecimenHistory::write_restart(FILE* file)
@@ -343,20 +356,28 @@ void FixSpecimenHistory::write_restart(FILE* file)
   double losses[3] = {contact_losses.friction, contact_losses.rolling, contact_losses.dashpots};
   sum_over_ranks(losses, 3, world);
   if (comm->me != 0) return;
-  const Saved saved{reference_, energy_start_, {losses[0], losses[1], losses[2]}};
+  Saved saved{reference_, energy_start_, {losses[0], losses[1], losses[2]}, {}};
+  std::copy(row_.begin(), row_.end(), saved.row);
   const int size = sizeof(Saved);
   fwrite(&size, sizeof(int), 1, file);
   fwrite(&saved, sizeof(Saved), 1, file);
 }
 
+// A run may have gone on after its last restart file was written: those rows come again.
 void FixSpecimenHistory::restart(char* buffer)
 {
   Saved saved;
   std::memcpy(&saved, buffer, sizeof(Saved));
   reference_ = saved.reference;
   energy_start_ = saved.start;
-  if (comm->me == 0) contact_losses = saved.losses;
-  fresh_file_ = false;
+  row_.assign(saved.row, saved.row + column_count);
+  if (comm->me != 0) return;
+  contact_losses = saved.losses;
+  const std::string rows =
+      rows_up_to(static_cast<double>(update->ntimestep), std::ifstream(file_name_));
+  fresh_file_ = rows.empty();
+  if (!fresh_file_ && !write_whole_file(file_name_, rows))
+    error->one(FLERR, ("cannot write '" + file_name_ + "', free some space").c_str());
 }
 
 }  // namespace encased_column

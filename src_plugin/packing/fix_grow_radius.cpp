@@ -86,6 +86,7 @@ void FixGrowRadius::restart(char* buffer)
   std::memcpy(saved, buffer, sizeof(saved));
   factor_ = saved[0];
   begin_ = static_cast<LAMMPS_NS::bigint>(saved[1]);
+  next_reneighbor = begin_ + 1;
 }
 
 }  // namespace encased_column
