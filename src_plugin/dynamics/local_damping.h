@@ -12,8 +12,8 @@ namespace encased_column {
 /// 129-163; Itasca PFC, "local damping".
 inline double damped(double force, double velocity, double alpha)
 {
-  const double resisted = std::copysign(alpha * std::abs(force), velocity);
-  return velocity == 0.0 ? force : force - resisted;
+  const double sense = static_cast<double>(velocity > 0.0) - static_cast<double>(velocity < 0.0);
+  return force - alpha * std::abs(force) * sense;
 }
 
 /// Half a step of one component: speeds `velocity` up by the damped `force` and returns the work
