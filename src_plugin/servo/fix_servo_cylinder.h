@@ -26,7 +26,6 @@ class FixServoCylinder : public RigidWall, public SpecimenSide {
   bool holds(const double* center) const override;
 
  protected:
-  const KeywordTable& table() const override { return keywords; }
   double loaded_area() const override;
   double usual_speed_limit() const override { return 1e-5 * cylinder_.radius / update->dt; }
   void advance(double distance) override { cylinder_.advance(distance); }

@@ -21,7 +21,6 @@ class FixServoPlaten : public RigidWall {
   bool is_top() const { return plane_.outward > 0.0; }
 
  protected:
-  const KeywordTable& table() const override { return keywords; }
   double loaded_area() const override;
   double usual_speed_limit() const override;
   void advance(double distance) override { plane_.advance(distance); }

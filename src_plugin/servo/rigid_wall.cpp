@@ -107,7 +107,8 @@ void RigidWall::final_integrate()
 int RigidWall::modify_param(int narg, char** arg)
 {
   try {
-    read_wall(table().read(narg, arg, 0));
+    static const KeywordTable drive_only{WallDrive::keywords(), {}};
+    read_wall(drive_only.read(narg, arg, 0));
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

@@ -44,7 +44,6 @@ class RigidWall : public LAMMPS_NS::Fix {
 
  protected:
   void read_wall(const Options& options);
-  virtual const KeywordTable& table() const = 0;
   virtual double loaded_area() const = 0;  ///< turns stress into force [m^2]
   virtual double usual_speed_limit() const = 0;
   virtual void advance(double distance) = 0;  ///< towards the specimen [m]

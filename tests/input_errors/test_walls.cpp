@@ -23,6 +23,17 @@ run 1
                  "one of them");
 }
 
+TEST(Platen, RefusesToBePutElsewhereLater)
+{
+  expect_refused("grain_stack", R"(
+fix top all servo/platen position top z 0.08 area 0.0016 type 2
+fix_modify top z 0.09
+run 1
+)",
+                 "unknown keyword 'z', expected one of: type, hold, velocity, servo, ramp, gain, "
+                 "speed_limit");
+}
+
 TEST(Platen, RefusesARampWithoutAServo)
 {
   expect_refused("grain_stack", R"(
