@@ -1,0 +1,95 @@
+// What a contact remembers must go when it parts, even if the host builds no list in between.
+#include "verification/contact/grain_deck.h"
+
+#include <gtest/gtest.h>
+
+using namespace encased_column::testing;
+
+namespace {
+
+/// Grain 2 goes a way in steps of 10 us: it touches what lies to its left with an overlap of 50 um
+/// (0 to 100), is sheared upwards by 50 um (100 to 200), parts (200 to 300), sinks to its first
+/// height (300 to 400) and comes back to where it was (400 to 500). The skin of 5 mm makes sure
+/// that lists are built once.
+std::string sheared_parted_rejoined(const std::string& rest)
+{
+  return "neighbor 0.005 bin\n"
+         "group mover id 2\n"
+         "variable t equal step\n"
+         "variable vx equal 0.2*(v_t>200)*(v_t<=300)-0.2*(v_t>400)*(v_t<=500)\n"
+         "variable vy equal 0.05*(v_t>100)*(v_t<=200)-0.05*(v_t>300)*(v_t<=400)\n"
+         "variable dx equal "
+         "2e-6*((v_t-200)*(v_t>200)*(v_t<=300)+100*(v_t>300)*(v_t<=400)+(500-v_t)*"
+         "(v_t>400)*(v_t<=500))\n"
+         "variable dy equal "
+         "5e-7*((v_t-100)*(v_t>100)*(v_t<=200)+100*(v_t>200)*(v_t<=300)+(400-v_t)*"
+         "(v_t>300)*(v_t<=400))\n"
+         "fix path mover move variable v_dx v_dy NULL v_vx v_vy NULL units box\n" +
+         rest + "thermo 1000\n" + track_numbers("step fx[2] fy[2]", 1) + "run 600\n";
+}
+
+/// The deck of two grains, the left one held.
+std::string two_grains(const std::string& rolling)
+{
+  return material(7e6, 0.5) +
+         "fix rollf all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.1 0.1 "
+         "0.1\npair_style gran model linear tangential history " +
+         rolling + "\npair_coeff * *\n" + grain(0, 0, 0.1) + grain(0.01995, 0, 0.1) + grain_size;
+}
+
+void expect_no_memory(const std::string& deck)
+{
+  const TemporaryFolder folder;
+  const Outcome outcome = run_deck(deck, 1, folder.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  ASSERT_TRUE(outcome.says("Neighbor list builds = 0")) << "the trap needs one list throughout";
+  const CsvTable track(folder.path() / "track.csv");
+  const std::vector<double>&when = track.column("step"), &press = track.column("fx[2]"),
+        &shear = track.column("fy[2]");
+  for (std::size_t n = 0; n < track.rows(); ++n) {
+    if (when[n] == 200.0) {
+      EXPECT_LT(shear[n], -1.0) << "sheared upwards";
+    } else if (when[n] > 300.0 && when[n] <= 400.0) {
+      EXPECT_EQ(press[n], 0.0) << "apart";
+    } else if (when[n] > 500.0) {
+      EXPECT_GT(press[n], 1.0) << "together again";
+      EXPECT_NEAR(shear[n], 0.0, 1e-9) << "at step " << when[n];
+    }
+  }
+}
+
+}  // namespace
+
+TEST(ContactMemory, IsGoneWhenTwoGrainsPartAndMeetAgainWithinOneList)
+{
+  expect_no_memory(two_grains("") + sheared_parted_rejoined(""));
+}
+
+TEST(ContactMemory, IsGoneWithRollingResistanceToo)
+{
+  expect_no_memory(two_grains("rolling_friction epsd2") + sheared_parted_rejoined(""));
+}
+
+// A virial sends the pairs through the host's own loop.
+TEST(ContactMemory, IsGoneInTheHostsLoopToo)
+{
+  expect_no_memory(two_grains("") +
+                   sheared_parted_rejoined("compute stress all stress/atom\n"
+                                           "fix stress all ave/atom 1 1 1 c_stress[1]\n"));
+}
+
+// The same against the cylinder, whose inner surface lies to the left of a grain at -x.
+TEST(ContactMemory, IsGoneWhenAGrainLeavesAServoWallAndReturns)
+{
+  expect_no_memory(material(7e6, 0.5) + grain(0.03, 0, 0.1) + grain(-0.03995, 0, 0.1) + grain_size +
+                   "fix side all servo/cylinder radius 0.04990 platens top bottom type 2\n" +
+                   platen("top", 0.2) + platen("bottom", 0.0) + sheared_parted_rejoined(""));
+}
+
+TEST(ContactMemory, IsGoneWhenAGrainLeavesAWallOfTheHostAndReturns)
+{
+  expect_no_memory(material(7e6, 0.5) + grain(0.03, 0, 0.1) + grain(-0.00005, 0, 0.1) + grain_size +
+                   "fix wall all wall/gran model linear tangential history primitive type 2 xplane "
+                   "-0.01\n" +
+                   sheared_parted_rejoined(""));
+}

@@ -1,0 +1,57 @@
+// Local damping in a run: a grain between two platens is a mass on a spring.
+#include "verification/contact/grain_deck.h"
+
+#include <gtest/gtest.h>
+
+using namespace encased_column::testing;
+
+namespace {
+
+/// Heights at which the grain turns, its own equilibrium at zero, released at 50 um.
+std::vector<double> turning_points(const std::string& motion)
+{
+  const CsvTable track =
+      track_of(material(7e6, 0.0) + grain(0, 0, 0.10005) + grain_size +
+               platen("top", 0.1 + radius - 1e-4) + platen("bottom", 0.1 - radius + 1e-4) + motion +
+               "thermo 10000\n" + track_numbers("z[1]", 1) + "run 3000\n");
+  std::vector<double> points;
+  const std::vector<double>& z = track.column("z[1]");
+  for (std::size_t n = 1; n + 1 < z.size(); ++n)
+    if ((z[n] - z[n - 1]) * (z[n + 1] - z[n]) <= 0.0) points.push_back(z[n] - 0.1);
+  return points;
+}
+
+}  // namespace
+
+// (x1 / x0)^2 = (1 - alpha) / (1 + alpha) in every half cycle: the force is (1 - alpha) k x while
+// it speeds the grain up and (1 + alpha) k x while it slows it down.
+TEST(LocalDamping, ShrinksEveryHalfCycleByTheSameFactor)
+{
+  const double alpha = 0.3;
+  const std::vector<double> points =
+      turning_points("fix move all motion damping 0.3 safety 0.01\n");
+  ASSERT_GT(points.size(), 4u);
+  double before = 50e-6;
+  for (int n = 0; n < 4; ++n) {
+    const double expected = -before * std::sqrt((1.0 - alpha) / (1.0 + alpha));
+    EXPECT_NEAR(points[n], expected, 1e-3 * std::abs(expected)) << "half cycle " << n + 1;
+    before = points[n];
+  }
+}
+
+TEST(LocalDamping, OfZeroLeavesTheSwingAsItIs)
+{
+  const std::vector<double> points = turning_points("fix move all motion damping 0 safety 0.01\n");
+  ASSERT_GT(points.size(), 4u);
+  EXPECT_NEAR(points[0], -50e-6, 1e-4 * 50e-6);
+  EXPECT_NEAR(points[3], 50e-6, 1e-4 * 50e-6);
+}
+
+TEST(LocalDamping, DoesNotSlowSteadyMotion)
+{
+  const Outcome outcome =
+      run_well(material(7e6, 0.0) + grain(0, 0, 0.1) + grain_size + velocity(0.3, 0, -0.1) +
+               "fix move all motion damping 0.7\nrun 500\n" + print_numbers("vx[1] vz[1]"));
+  EXPECT_EQ(outcome.value("vx[1]"), 0.3);
+  EXPECT_EQ(outcome.value("vz[1]"), -0.1);
+}
