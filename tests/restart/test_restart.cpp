@@ -1,0 +1,185 @@
+// A run that stops, writes a restart file and goes on in a new process is the same run, bit by bit.
+#include "restart/specimen_deck.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+using namespace encased_column::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string consolidation =
+    "run 1000\nunfix grow\nrun 500\n"
+    "fix_modify side servo 50e3 ramp 1000\n"
+    "fix_modify bottom servo 50e3 ramp 1000\n";
+
+const std::string shear =
+    consolidation + "run 2000\n" + history + "fix_modify bottom velocity 1e-6\n";
+
+void run_in(const fs::path& folder, const std::string& deck)
+{
+  const Outcome outcome = run_deck(deck, 1, folder);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+}
+
+std::string run_steps(long steps)
+{
+  return "run " + std::to_string(steps) + "\n";
+}
+
+/// What is compared: the steps after the stop and the grains at their end.
+std::string rest(const std::string& file)
+{
+  return run_steps(300) + picture(file);
+}
+
+/// Stops a new specimen `steps` after `before` and goes on, in the same process and, with `again`
+/// given anew, in another one; both must leave the same grains.
+void expect_the_same_run(const fs::path& folder, const std::string& before, long steps,
+                         const std::string& again)
+{
+  run_in(folder, new_specimen(before + run_steps(steps) + "write_restart stop\n" + rest("whole")));
+  run_in(folder, specimen_of("stop", again + rest("parts")));
+  EXPECT_GT(fs::file_size(folder / "whole"), 10000u);
+  EXPECT_EQ(read_text(folder / "parts"), read_text(folder / "whole"));
+}
+
+/// Numbers of a picture, grain by grain.
+std::vector<double> numbers_of(const fs::path& file)
+{
+  std::istringstream text(read_text(file));
+  std::string line;
+  for (int n = 0; n < 9; ++n) std::getline(text, line);
+  std::vector<double> numbers;
+  for (double number; text >> number;) numbers.push_back(number);
+  return numbers;
+}
+
+/// Starts a deck that would run for an hour, sends it `signal` after step 1200, waits for its end
+/// and returns the step of the restart file it left.
+long step_of_interrupted(const fs::path& folder, const std::string& deck, const std::string& signal)
+{
+  std::ofstream(folder / "in.lmp") << deck + "print \"went on\"\n";
+  const Outcome outcome = run_program({"bash", "-c",
+                                       "'" ENCASE_PROGRAM "' -in in.lmp & child=$!\n"
+                                       "until grep -q '^ *1200 ' log.liggghts 2>/dev/null; do\n"
+                                       "  kill -0 $child || exit 1\n"
+                                       "  sleep 0.05\n"
+                                       "done\n"
+                                       "kill -" +
+                                           signal + " $child\nwait $child"},
+                                      folder);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_FALSE(outcome.says("went on")) << "the deck ends at the signal";
+  const std::string begin = "restart_forced_liggghts_";
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    if (name.rfind(begin, 0) == 0) return std::stol(name.substr(begin.size()));
+  }
+  ADD_FAILURE() << "no restart file was left\n" << outcome.output;
+  return 0;
+}
+
+void expect_to_go_on_after(const std::string& signal, const std::string& before,
+                           const std::string& command)
+{
+  const TemporaryFolder folder;
+  const long step = step_of_interrupted(folder.path(), new_specimen(before + command), signal);
+  ASSERT_GE(step, 1200);
+  const std::string file = "restart_forced_liggghts_" + std::to_string(step) + ".data";
+  run_in(folder.path(), specimen_of(file, rest("parts")));
+  // The same steps without a signal; the file made the host build its list at the last of them.
+  run_in(folder.path(), new_specimen(before + run_steps(step - 1000) + rest("whole")));
+  EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
+}
+
+}  // namespace
+
+TEST(Restart, GoesOnWhileRadiiGrow)
+{
+  const TemporaryFolder folder;
+  expect_the_same_run(folder.path(), "", 613, growth);
+}
+
+TEST(Restart, GoesOnInTheRampOfAServo)
+{
+  const TemporaryFolder folder;
+  expect_the_same_run(folder.path(), consolidation, 437, "");
+}
+
+// The rows that the first process wrote after the stop are dropped and come again.
+TEST(Restart, GoesOnInShearAndWithTheHistory)
+{
+  const TemporaryFolder folder;
+  expect_the_same_run(folder.path(), shear, 420, "");
+  const std::string rows = read_text(folder.path() / "history.csv");
+  EXPECT_NE(rows.find("\n3500,"), std::string::npos);
+  EXPECT_NE(rows.find("\n4200,"), std::string::npos);
+  run_in(folder.path(), specimen_of("stop", history + rest("parts")));
+  EXPECT_EQ(read_text(folder.path() / "history.csv"), rows);
+  EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
+}
+
+// `restart` writes in the middle of a run, where the host's own copy of the shear springs is a step
+// old.
+TEST(Restart, FromAFileWrittenDuringARunIsTheSameAsFromOneWrittenAfterIt)
+{
+  const TemporaryFolder folder;
+  run_in(folder.path(),
+         new_specimen(shear + "restart 3900 during.*\nrun 400\nwrite_restart stop\n"));
+  run_in(folder.path(), specimen_of("stop", rest("whole")));
+  run_in(folder.path(), specimen_of("during.3900", rest("parts")));
+  EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
+}
+
+// Without a stop the lists are built at other steps and forces are summed in another order:
+// round-off, which local damping, a switch on the sign of small velocities, makes grow tenfold in
+// some 30 steps.
+TEST(Restart, StaysWithTheRunThatNeverStoppedToRoundOff)
+{
+  const TemporaryFolder folder;
+  run_in(folder.path(), new_specimen(shear + run_steps(400 + 50) + picture("whole")));
+  run_in(folder.path(), new_specimen(shear + run_steps(400) + "write_restart stop\n"));
+  run_in(folder.path(), specimen_of("stop", run_steps(50) + picture("parts")));
+  const std::vector<double> whole = numbers_of(folder.path() / "whole"),
+                            parts = numbers_of(folder.path() / "parts");
+  ASSERT_GT(whole.size(), 1000u);
+  ASSERT_EQ(whole.size(), parts.size());
+  for (std::size_t n = 0; n < whole.size(); ++n)
+    ASSERT_NEAR(parts[n], whole[n], 1e-9 * std::abs(whole[n]) + 1e-12) << "number " << n;
+}
+
+TEST(Restart, GoesOnAfterTheSignalOfKill)
+{
+  expect_to_go_on_after("TERM", "run 1000\nunfix grow\n", "run 100000000\n");
+}
+
+TEST(Restart, GoesOnAfterControlCInSolve)
+{
+  expect_to_go_on_after("INT", "run 1000\nunfix grow\n",
+                        "solve ratio average 1e-30 every 50 max 100000000\n");
+}
+
+TEST(Restart, TakesTheDriveThatAFixLineNames)
+{
+  const TemporaryFolder folder;
+  run_in(folder.path(), new_specimen(shear + "run 10\nwrite_restart stop\n"));
+  const std::string heights =
+      "variable low equal f_bottom[3]\nvariable high equal f_top[3]\nrun 0\nvariable a equal "
+      "${low}\n"
+      "variable c equal ${high}\nrun 100\nvariable up equal f_bottom[3]-v_a\n"
+      "variable down equal v_c-f_top[3]\nprint \"up ${up}\"\nprint \"down ${down}\"\n";
+  std::string deck = specimen_of("stop", heights);
+  const std::string top =
+      "fix            top all servo/platen position top z 0.05 side side type 2";
+  ASSERT_NE(deck.find(top), std::string::npos);
+  deck.insert(deck.find(top) + top.size(), " velocity 2e-6");
+  const Outcome outcome = run_deck(deck, 1, folder.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NEAR(outcome.value("up"), 100 * 1e-6, 1e-12) << "as in the restart file";
+  EXPECT_NEAR(outcome.value("down"), 100 * 2e-6, 1e-12) << "as the fix line says";
+}
