@@ -40,13 +40,41 @@ class PairLinear
       return;
     }
     pair->evflag = pair->vflag_fdotr = 0;
+    if (lmp_->atom->nlocal == 0) return;
     desk_.ask_probes();
+    const Grains grains(lmp_->atom);
     const bool advance = pair->computeflag() && pair->shearupdate();
     const LAMMPS_NS::NeighList& list = *pair->list;
-    for (int n = 0; n < list.inum; ++n) press_neighbors_of(pair, list.ilist[n], advance);
+    for (int n = 0; n < list.inum; ++n) press_neighbors_of(grains, pair, list.ilist[n], advance);
   }
 
  private:
+  /// The host's arrays without its rows of pointers, and without a look into the host for each
+  /// pair.
+  struct Grains {
+    explicit Grains(LAMMPS_NS::Atom* a)
+        : x(a->x[0]),
+          v(a->v[0]),
+          omega(a->omega[0]),
+          radius(a->radius),
+          mass(a->rmass),
+          type(a->type),
+          force(a->f[0]),
+          moment(a->torque[0]),
+          owned(a->nlocal)
+    {
+    }
+    const double* __restrict x;
+    const double* __restrict v;
+    const double* __restrict omega;
+    const double* __restrict radius;
+    const double* __restrict mass;
+    const int* __restrict type;
+    double* __restrict force;
+    double* __restrict moment;
+    int owned;
+  };
+
   static bool wants_host_loop(PairGran* pair, int eflag, int vflag)
   {
     return eflag || vflag || pair->cpl() || pair->storeContactForces() ||
@@ -55,25 +83,25 @@ class PairLinear
            !pair->computeflag();
   }
 
-  void press_neighbors_of(PairGran* pair, int i, bool advance)
+  void press_neighbors_of(const Grains& grains, PairGran* pair, int i, bool advance)
   {
-    LAMMPS_NS::Atom* atom = lmp_->atom;
     const LAMMPS_NS::NeighList& list = *pair->list;
-    const int* neighbors = list.firstneigh[i];
-    int* flags = pair->listgranhistory->firstneigh[i];
-    double* memories = pair->listgranhistory->firstdouble[i] + memory_;
+    const int count = list.numneigh[i];
+    const int* __restrict neighbors = list.firstneigh[i];
+    int* __restrict flags = pair->listgranhistory->firstneigh[i];
+    double* __restrict memories = pair->listgranhistory->firstdouble[i] + memory_;
     const int stride = pair->dnum();
-    const int nlocal = atom->nlocal;
     const double dt = lmp_->update->dt;
     const double step = static_cast<double>(lmp_->update->ntimestep);
-    const Vec3 x_i = as_vec3(atom->x[i]);
-    const ContactBody body_i{atom->radius[i], as_vec3(atom->v[i]), as_vec3(atom->omega[i])};
+    const Vec3 x_i = as_vec3(grains.x + 3 * i);
+    const ContactBody body_i{grains.radius[i], as_vec3(grains.v + 3 * i),
+                             as_vec3(grains.omega + 3 * i)};
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
 
-    for (int n = 0; n < list.numneigh[i]; ++n) {
+    for (int n = 0; n < count; ++n) {
       const int j = neighbors[n] & NEIGHMASK;
-      const Vec3 apart = as_vec3(atom->x[j]) - x_i;
-      const double reach = body_i.radius + atom->radius[j];
+      const Vec3 apart = as_vec3(grains.x + 3 * j) - x_i;
+      const double reach = body_i.radius + grains.radius[j];
       const double square = apart.squaredNorm();
       if (square >= reach * reach) {
         flags[n] = 0;
@@ -82,25 +110,27 @@ class PairLinear
       flags[n] = touching;
       const double distance = std::sqrt(square);
       const double mass =
-          desk_.has_dashpots() ? effective_mass(atom->rmass[i], atom->rmass[j]) : 0.0;
-      const Touch touch{reach - distance,
-                        apart / distance,
-                        mass,
-                        body_i,
-                        {atom->radius[j], as_vec3(atom->v[j]), as_vec3(atom->omega[j])}};
+          desk_.has_dashpots() ? effective_mass(grains.mass[i], grains.mass[j]) : 0.0;
+      const Touch touch{
+          reach - distance,
+          apart / distance,
+          mass,
+          body_i,
+          {grains.radius[j], as_vec3(grains.v + 3 * j), as_vec3(grains.omega + 3 * j)}};
       const ContactAction action = resolve_contact<rolling != LIGGGHTS::ContactModels::ROLLING_OFF>(
-          desk_.material(atom->type[i], atom->type[j]), touch, dt, step, advance,
+          desk_.material(grains.type[i], grains.type[j]), touch, dt, step, advance,
           memories + n * stride);
       force += action.force;
       moment += action.moment_i;
-      if (j < nlocal) {
-        as_vec3(atom->f[j]) -= action.force;
-        as_vec3(atom->torque[j]) += action.moment_j;
+      const bool owned = j < grains.owned;
+      if (owned) {
+        as_vec3(grains.force + 3 * j) -= action.force;
+        as_vec3(grains.moment + 3 * j) += action.moment_j;
       }
-      desk_.book(i, j, j < nlocal ? 1.0 : 0.5, advance, touch, action);
+      desk_.book(i, j, owned ? 1.0 : 0.5, advance, touch, action);
     }
-    as_vec3(atom->f[i]) += force;
-    as_vec3(atom->torque[i]) += moment;
+    as_vec3(grains.force + 3 * i) += force;
+    as_vec3(grains.moment + 3 * i) += moment;
   }
 
   static constexpr int touching = LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL |

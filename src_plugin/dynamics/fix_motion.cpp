@@ -190,19 +190,10 @@ void FixMotion::weigh_equilibrium()
 
 double FixMotion::kick(int i, double half_step)
 {
-  double* v = atom->v[i];
-  double* w = atom->omega[i];
-  const double* f = atom->f[i];
-  const double* t = atom->torque[i];
-  const double radius = atom->radius[i];
   const double per_mass = half_step / inertia_[i];
-  const double per_moment = per_mass / (0.4 * radius * radius);
-  double loss = 0.0;
-  for (int a = 0; a < 3; ++a) {
-    loss += half_kick(f[a], damping_, per_mass, half_step, v[a]);
-    loss += half_kick(t[a], damping_, per_moment, half_step, w[a]);
-  }
-  return loss;
+  const double per_moment = per_mass / (0.4 * atom->radius[i] * atom->radius[i]);
+  return half_kick(atom->f[i], damping_, per_mass, half_step, atom->v[i]) +
+         half_kick(atom->torque[i], damping_, per_moment, half_step, atom->omega[i]);
 }
 
 void FixMotion::initial_integrate(int)
@@ -213,18 +204,22 @@ void FixMotion::initial_integrate(int)
     setting_up_ = false;
   }
   const double dt = update->dt;
+  double loss = 0.0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    loss_ += kick(i, 0.5 * dt);
+    loss += kick(i, 0.5 * dt);
     for (int a = 0; a < 3; ++a) atom->x[i][a] += dt * atom->v[i][a];
   }
+  loss_ += loss;
 }
 
 void FixMotion::final_integrate()
 {
   const double half_step = 0.5 * update->dt;
+  double loss = 0.0;
   for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->mask[i] & groupbit) loss_ += kick(i, half_step);
+    if (atom->mask[i] & groupbit) loss += kick(i, half_step);
+  loss_ += loss;
   if (!wants_contacts(update->ntimestep)) return;
   weigh_equilibrium();
   set_inertia();

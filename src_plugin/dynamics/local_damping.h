@@ -12,19 +12,24 @@ namespace encased_column {
 /// 129-163; Itasca PFC, "local damping".
 inline double damped(double force, double velocity, double alpha)
 {
-  const double sense = static_cast<double>(velocity > 0.0) - static_cast<double>(velocity < 0.0);
-  return force - alpha * std::abs(force) * sense;
+  const double resisted = std::copysign(alpha * std::abs(force), velocity);
+  return velocity == 0.0 ? force : force - resisted;
 }
 
-/// Half a step of one component: speeds `velocity` up by the damped `force` and returns the work
-/// [J] the damping took out. `rate` is half the step divided by the inertia.
+/// Half a step of the three components of `force` (or moment): speeds `velocity` up by the damped
+/// force and returns the work [J] the damping took out. `rate` is half the step over the inertia.
 /// The work is exact: damping force times the mean velocity of the half step times its length.
-inline double half_kick(double force, double alpha, double rate, double half_step, double& velocity)
+inline double half_kick(const double* force, double alpha, double rate, double half_step,
+                        double* velocity)
 {
-  const double after_damping = damped(force, velocity, alpha);
-  const double before = velocity;
-  velocity += rate * after_damping;
-  return (force - after_damping) * 0.5 * (before + velocity) * half_step;
+  double work[3];  // apart, so that one component need not wait for the sum of the others
+  for (int a = 0; a < 3; ++a) {
+    const double acting = damped(force[a], velocity[a], alpha);
+    const double before = velocity[a];
+    velocity[a] += rate * acting;
+    work[a] = (force[a] - acting) * (before + velocity[a]);
+  }
+  return 0.5 * half_step * (work[0] + work[1] + work[2]);
 }
 
 }  // namespace encased_column
