@@ -35,6 +35,7 @@ void WallDrive::read(const Options& options, long step, double stress_now)
   }
   if (options.has("servo")) {
     mode_ = Mode::servo;
+    memory_ = ServoMemory();
     target_ = options.not_negative("servo", 0.0);
     ramp_from_ = stress_now;
     ramp_start_ = step;
@@ -50,13 +51,12 @@ double WallDrive::target(long step) const
   return ramp_from_ + (target_ - ramp_from_) * part;
 }
 
-double WallDrive::speed(long step, double dt, const WallLoad& load, double area,
-                        double usual_limit) const
+double WallDrive::speed(long step, double dt, const WallLoad& load, double area, double usual_limit)
 {
   if (mode_ == Mode::hold) return 0.0;
   if (mode_ == Mode::velocity) return velocity_;
   const double limit = speed_limit_ > 0.0 ? speed_limit_ : usual_limit;
-  return servo_speed(load, target(step), area, gain_, dt, limit);
+  return steady_servo_speed(load, target(step), area, gain_, dt, limit, memory_);
 }
 
 }  // namespace encased_column

@@ -18,7 +18,7 @@ class WallDrive {
   void read(const Options& options, long step, double stress_now);
 
   /// Speed [m/s] towards the specimen at `step` of length `dt` [s].
-  double speed(long step, double dt, const WallLoad& load, double area, double usual_limit) const;
+  double speed(long step, double dt, const WallLoad& load, double area, double usual_limit);
 
  private:
   enum class Mode { hold, velocity, servo };
@@ -29,6 +29,7 @@ class WallDrive {
   double target_ = 0.0, ramp_from_ = 0.0;
   long ramp_start_ = 0, ramp_steps_ = 0;
   double gain_ = 0.8;
+  ServoMemory memory_;
   double speed_limit_ = 0.0;  ///< 0: the wall's usual limit
 };
 

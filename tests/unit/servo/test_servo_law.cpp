@@ -36,3 +36,31 @@ TEST(ServoSpeed, WaitsWithNothingInContactAndNothingToReach)
 {
   EXPECT_EQ(servo_speed({0.0, 0.0}, 0.0, 0.02, 0.8, 1e-4, 0.5), 0.0);
 }
+
+// Grains that give way at an even speed let the force of the plain law sag; with what it has learnt
+// the servo meets its target.
+TEST(SteadyServoSpeed, HoldsItsTargetOnGrainsThatGiveWay)
+{
+  const double area = 0.02, dt = 1.0, target = 1e5, yield = 2e-8;
+  for (const double gain : {0.1, 0.8}) {
+    WallLoad load{target * area, 3e9};
+    ServoMemory memory;
+    double speed = 0.0;
+    for (int n = 0; n < 3000; ++n) {
+      speed = steady_servo_speed(load, target, area, gain, dt, 1e-6, memory);
+      load.force += load.stiffness * (speed - yield) * dt;
+    }
+    EXPECT_NEAR(load.force / area, target, 1e-6 * target) << "at gain " << gain;
+    EXPECT_NEAR(speed, yield, 1e-6 * yield);
+  }
+}
+
+TEST(SteadyServoSpeed, ForgetsAtItsLimitAndWithNothingInContact)
+{
+  ServoMemory memory{0.4};
+  EXPECT_EQ(steady_servo_speed({0.0, 1.0}, 1e5, 0.02, 0.8, 1e-4, 0.5, memory), 0.5);
+  EXPECT_EQ(memory.even_speed, 0.0);
+  memory.even_speed = 0.1;
+  EXPECT_EQ(steady_servo_speed({0.0, 0.0}, 0.0, 0.02, 0.8, 1e-4, 0.5, memory), 0.0);
+  EXPECT_EQ(memory.even_speed, 0.0);
+}
