@@ -1,6 +1,7 @@
 #include "reading/case_run.h"
 
 #include "core/input_error.h"
+#include "core/read_number.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,16 @@ namespace encased_column {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The line `# porosity at full size [-],0.29` that create_packing writes below its classes.
+std::optional<double> reported_porosity(const fs::path& file)
+{
+  const std::string name = "# porosity at full size [-],";
+  std::ifstream report(file);
+  for (std::string line; std::getline(report, line);)
+    if (line.rfind(name, 0) == 0) return read_number("porosity", line.substr(name.size()));
+  return std::nullopt;
+}
 
 bool is_case(const fs::path& folder)
 {
@@ -51,6 +62,7 @@ void read_results(CaseRun& run)
                      "\"sigma3\": 50000");
   run.confining_stress = found->second;
   run.history = TextTable(run.folder / "history.csv");
+  run.generation_porosity = reported_porosity(run.folder / "gradation.csv");
 }
 
 std::vector<fs::path> cases_of(const fs::path& folder)

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,11 @@ namespace encased_column {
 struct CaseRun {
   std::filesystem::path folder;
   std::string id, deck, title;
-  std::string resolution;                   ///< empty if the deck has none
-  std::map<std::string, double> variables;  ///< the numbers among the deck's variables
-  double confining_stress;                  ///< sigma3 asked for [Pa]
-  TextTable history;                        ///< samples of the shear stage
+  std::string resolution;                     ///< empty if the deck has none
+  std::map<std::string, double> variables;    ///< the numbers among the deck's variables
+  double confining_stress;                    ///< sigma3 asked for [Pa]
+  TextTable history;                          ///< samples of the shear stage
+  std::optional<double> generation_porosity;  ///< at full size, as gradation.csv reports it [-]
 
   bool encased() const { return deck.find("encased") != std::string::npos; }
   /// The set of the published values this run belongs to, as targets.csv calls it.

@@ -44,8 +44,7 @@ void add_porosities(const TestResult& test, const Targets& targets, std::vector<
   const auto add = [&](const std::string& which, double value) {
     rows.push_back({run.id, "porosity, " + which, "-", value, 4, published});
   };
-  const auto generated = run.variables.find("porosity");
-  if (generated != run.variables.end()) add("at generation", generated->second);
+  if (run.generation_porosity) add("at generation", *run.generation_porosity);
   add("at start of shear, overlap counted", run.history.numbers("porosity [-]").front());
   add("at start of shear, less overlap", run.history.numbers("porosity_less_overlap [-]").front());
 }
