@@ -1,35 +1,16 @@
 // The deck of the plain triaxial test, whole, with about a hundred grains and 2 % strain: a second
 // of work.
-#include "support/child_program.h"
 #include "support/csv_table.h"
+#include "support/small_triaxial.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 using namespace encased_column::testing;
 namespace fs = std::filesystem;
 
 namespace {
-
-const fs::path inputs = fs::path(ENCASE_SOURCE) / "input_scripts";
-
-/// Grains of 10 mm and more in a specimen of 60 mm x 60 mm.
-Outcome run_small_test(const fs::path& folder)
-{
-  fs::copy(inputs / "common", folder / "common", fs::copy_options::recursive);
-  std::ofstream(folder / "common/resolution_small.lmp") << "variable finest equal 10e-3\n"
-                                                           "variable skin equal 1e-3\n"
-                                                           "variable looser equal 0\n";
-  std::vector<std::string> arguments;
-  const std::vector<std::pair<std::string, std::string>> variables{
-      {"common", "common"}, {"resolution", "small"}, {"radius", "0.03"}, {"height", "0.06"},
-      {"porosity", "0.40"}, {"strain_end", "0.02"},  {"limit", "1e-4"},  {"sigma3", "50e3"}};
-  for (const auto& [name, value] : variables)
-    arguments.insert(arguments.end(), {"-var", name, value});
-  return run_deck(read_text(inputs / "triaxial_plain/triaxial_plain.lmp"), 1, folder, arguments);
-}
 
 /// One run for all tests.
 class SmallTriaxialTest : public ::testing::Test {
@@ -37,7 +18,7 @@ class SmallTriaxialTest : public ::testing::Test {
   static void SetUpTestSuite()
   {
     folder_ = new TemporaryFolder;
-    outcome_ = new Outcome(run_small_test(folder_->path()));
+    outcome_ = new Outcome(run_small_triaxial(folder_->path(), 1));
   }
   static void TearDownTestSuite()
   {

@@ -1,0 +1,40 @@
+#include "support/small_triaxial.h"
+
+#include <fstream>
+
+namespace encased_column::testing {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path inputs = fs::path(ENCASE_SOURCE) / "input_scripts";
+
+}  // namespace
+
+std::string plain_triaxial_deck()
+{
+  return read_text(inputs / "triaxial_plain/triaxial_plain.lmp");
+}
+
+Outcome run_small_triaxial(const fs::path& folder, int ranks)
+{
+  return run_small_triaxial(folder, ranks, plain_triaxial_deck());
+}
+
+Outcome run_small_triaxial(const fs::path& folder, int ranks, const std::string& deck)
+{
+  fs::copy(inputs / "common", folder / "common", fs::copy_options::recursive);
+  std::ofstream(folder / "common/resolution_small.lmp") << "variable finest equal 10e-3\n"
+                                                           "variable skin equal 1e-3\n"
+                                                           "variable looser equal 0\n";
+  std::vector<std::string> arguments;
+  const std::vector<std::pair<std::string, std::string>> variables{
+      {"common", "common"}, {"resolution", "small"}, {"radius", "0.03"}, {"height", "0.06"},
+      {"porosity", "0.40"}, {"strain_end", "0.02"},  {"limit", "1e-4"},  {"sigma3", "50e3"}};
+  for (const auto& [name, value] : variables)
+    arguments.insert(arguments.end(), {"-var", name, value});
+  return run_deck(deck, ranks, folder, arguments);
+}
+
+}  // namespace encased_column::testing

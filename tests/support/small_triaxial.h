@@ -1,0 +1,18 @@
+#pragma once
+
+#include "support/child_program.h"
+
+#include <filesystem>
+
+namespace encased_column::testing {
+
+/// Runs the whole deck of the plain triaxial test at 50 kPa with about a hundred grains, of 10 mm
+/// and more, in a specimen of 60 mm x 60 mm, to 2 % strain, in `folder`: a second of work.
+Outcome run_small_triaxial(const std::filesystem::path& folder, int ranks);
+/// The same with `deck` in place of plain_triaxial_deck().
+Outcome run_small_triaxial(const std::filesystem::path& folder, int ranks, const std::string& deck);
+
+/// The text of the deck.
+std::string plain_triaxial_deck();
+
+}  // namespace encased_column::testing
