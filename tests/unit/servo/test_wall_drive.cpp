@@ -16,8 +16,8 @@ void read(WallDrive& drive, const std::vector<std::string>& words)
   drive.read(table.read(words), 100, 20.0);
 }
 
-/// Speed of a wall of 1 m^2 on 1 N/m, without load, steps of 1 s: gain times target.
-double speed_at(const WallDrive& drive, long step)
+/// First speed of a wall of 1 m^2 on 1 N/m, without load, steps of 1 s: gain times target.
+double speed_at(WallDrive drive, long step)
 {
   return drive.speed(step, 1.0, {0.0, 1.0}, 1.0, 1e9);
 }
