@@ -52,6 +52,17 @@ CorotationalFrame ShellElement::frame(const FacetVectors& x) const
   return {gradient_(0, 1) * a + gradient_(0, 2) * b, gradient_(1, 1) * a + gradient_(1, 2) * b};
 }
 
+Triangle2 ShellElement::reference_corners() const
+{
+  // Each side is the gradient of the area coordinate opposite, turned and scaled by twice the area.
+  const auto side = [this](int opposite) -> Vec2 {
+    return 2.0 * area_ * Vec2(gradient_(1, opposite), -gradient_(0, opposite));
+  };
+  Triangle2 corner;
+  corner << Vec2::Zero(), side(2), -side(1);
+  return corner;
+}
+
 FacetLoads ShellElement::loads(const ShellMaterial& material, const FacetVectors& x,
                                const FacetRotations& r) const
 {
@@ -64,20 +75,17 @@ FacetLoads ShellElement::loads(const ShellMaterial& material, const FacetVectors
   FacetLoads out;
   out.energy = area_ * ShellMaterial::membrane_energy(strain, n);
   if (material.bends()) {
-    std::array<Vec3, 3> director;
-    Tilts tilt;
-    for (int i = 0; i < 3; ++i) {
-      director[i] = frame.to_local(r[i] * normal_);
-      const DirectorTilt t(director[i]);
-      tilt(2 * i) = t.x;
-      tilt(2 * i + 1) = t.y;
-    }
-    const Tilts slope = bending_ * tilt;
-    out.energy += 0.5 * tilt.dot(slope);
+    const FacetVectors director{frame.to_local(r[0] * normal_), frame.to_local(r[1] * normal_),
+                                frame.to_local(r[2] * normal_)};
+    const std::array<DirectorTilt, 3> tilt{DirectorTilt(director[0]), DirectorTilt(director[1]),
+                                           DirectorTilt(director[2])};
+    Tilts tilts;
+    tilts << tilt[0].x, tilt[0].y, tilt[1].x, tilt[1].y, tilt[2].x, tilt[2].y;
+    const Tilts slope = bending_ * tilts;
+    out.energy += 0.5 * tilts.dot(slope);
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < 3; ++i) {
-      const Vec3 conjugate =
-          DirectorTilt(director[i]).work_conjugate(director[i], slope(2 * i), slope(2 * i + 1));
+      const Vec3 conjugate = tilt[i].work_conjugate(director[i], slope(2 * i), slope(2 * i + 1));
       out.moment[i] = -frame.to_global(conjugate);
       sum += conjugate;
     }
@@ -108,26 +116,16 @@ FacetState ShellElement::state(const ShellMaterial& material, const FacetVectors
   out.largest_strain = mean + radius;
   out.smallest_strain = mean - radius;
 
-  Tilts tilt;
+  Tilts tilts;
   Eigen::Matrix<double, 9, 1> plate = Eigen::Matrix<double, 9, 1>::Zero();
-  Triangle2 plane;
   for (int i = 0; i < 3; ++i) {
-    const DirectorTilt t(frame.to_local(r[i] * normal_));
-    tilt(2 * i) = plate(3 * i + 1) = t.x;
-    tilt(2 * i + 1) = plate(3 * i + 2) = t.y;
-    // The opposite side follows from the gradient: the reference corners need not be kept.
-    const Vec2 g = gradient_.col(i);
-    const Vec2 opposite = 2.0 * area_ * Vec2(g.y(), -g.x());
-    if (i == 0) plane.col(1) = opposite;  // side from corner 1 to 2, used below
-    if (i == 2) plane.col(0) = opposite;  // side from corner 0 to 1
+    const DirectorTilt tilt(frame.to_local(r[i] * normal_));
+    tilts(2 * i) = plate(3 * i + 1) = tilt.x;
+    tilts(2 * i + 1) = plate(3 * i + 2) = tilt.y;
   }
-  const Vec2 first = plane.col(0), second = plane.col(1);
-  plane.col(0) = Vec2::Zero();
-  plane.col(1) = first;
-  plane.col(2) = first + second;
-  out.curvature = dkt_curvature(plane, Vec3::Constant(1.0 / 3.0)) * plate;
+  out.curvature = dkt_curvature(reference_corners(), Vec3::Constant(1.0 / 3.0)) * plate;
   out.moment = material.bending() * out.curvature;
-  out.bending_energy = 0.5 * tilt.dot(bending_ * tilt);
+  out.bending_energy = 0.5 * tilts.dot(bending_ * tilts);
   return out;
 }
 

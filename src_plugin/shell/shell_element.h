@@ -71,6 +71,7 @@ class ShellElement {
 
  private:
   CorotationalFrame frame(const FacetVectors& x) const;
+  Triangle2 reference_corners() const;  ///< material axes, the first at the origin [m]
 
   Vec3 normal_, hoop_, axial_;
   double area_;

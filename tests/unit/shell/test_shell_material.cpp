@@ -42,6 +42,17 @@ TEST(TensionOnly, IsTheElasticLawWhereBothPrincipalForcesPull)
   EXPECT_NEAR((taut.membrane_force(strain) - elastic.membrane_force(strain)).norm(), 0.0, 1e-10);
 }
 
+// nu = 0.3: the strain across at which the force across vanishes is -0.3 of that along.
+TEST(TensionOnly, WrinklesWhereTheForceAcrossWouldTurnToCompression)
+{
+  const ShellMaterial material(wrinkling_shell());
+  const PlaneVector taut = material.membrane_force({0.01, -0.0029, 0.0});
+  EXPECT_NEAR(taut(1), 1e5 / 0.91 * 0.0001, 1e-9);
+  const PlaneVector wrinkled = material.membrane_force({0.01, -0.0031, 0.0});
+  EXPECT_NEAR(wrinkled(0), 1e5 * 0.01, 1e-9);
+  EXPECT_NEAR(wrinkled(1), 0.0, 1e-12);
+}
+
 TEST(TensionOnly, KeepsAUniaxialPullAlongTheWrinkles)
 {
   const ShellMaterial material(wrinkling_shell());
