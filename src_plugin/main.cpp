@@ -57,7 +57,11 @@ int main(int argc, char** argv)
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
 
   if (argc > 1 && is_one_of(argv[1], {"-styles", "-help", "-h"})) {
-    if (rank == 0) print_styles(std::cout);
+    if (rank == 0) {
+      if (!is_one_of(argv[1], {"-styles"}))
+        std::cout << "pair_style gran model linear tangential history [rolling_friction epsd2]\n";
+      print_styles(std::cout);
+    }
     if (is_one_of(argv[1], {"-styles"})) {
       MPI_Finalize();
       return 0;

@@ -44,7 +44,8 @@ void add_porosities(const TestResult& test, const Targets& targets, std::vector<
   const auto add = [&](const std::string& which, double value) {
     rows.push_back({run.id, "porosity, " + which, "-", value, 4, published});
   };
-  if (run.generation_porosity) add("at generation", *run.generation_porosity);
+  if (run.generation_porosity)
+    rows.push_back({run.id, "porosity, at generation", "-", *run.generation_porosity, 4, {}});
   add("at start of shear, overlap counted", run.history.numbers("porosity [-]").front());
   add("at start of shear, less overlap", run.history.numbers("porosity_less_overlap [-]").front());
 }

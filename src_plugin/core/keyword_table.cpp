@@ -4,6 +4,7 @@
 #include "core/read_number.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace encased_column {
 
@@ -95,6 +96,10 @@ long Options::integer(const std::string& keyword, long low) const
 {
   const long value = read_integer(keyword, word(keyword));
   if (value < low) refuse(keyword, std::to_string(low) + " or larger", static_cast<double>(value));
+  constexpr long largest =
+      std::numeric_limits<int>::max();  // the host counts steps and types in int
+  if (value > largest)
+    refuse(keyword, "at most " + std::to_string(largest), static_cast<double>(value));
   return value;
 }
 

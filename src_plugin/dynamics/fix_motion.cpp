@@ -8,6 +8,7 @@
 #include "host/rank_sums.h"
 
 #include "memory.h"
+#include "pair_gran.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,11 +88,15 @@ void FixMotion::init()
       throw InputError(
           "'neighbor' must take the style 'bin', found 'multi', with which the host finds no "
           "contacts, write for example 'neighbor 0.0005 bin'");
+    auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
+    rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
     const PairProperty modulus = read_pair_property(lmp, "contactModulus", 0.0, true);
+    const PairProperty ratio = read_pair_property(lmp, "stiffnessRatio", 0.0, true);
     stiffest_material_ = 0.0;
     for (int i = 1; i <= atom->ntypes; ++i)
       for (int j = 1; j <= atom->ntypes; ++j)
-        stiffest_material_ = std::max(stiffest_material_, modulus.at(i, j));
+        stiffest_material_ = std::max(stiffest_material_,
+                                      modulus.at(i, j) * decisive_ratio(ratio.at(i, j), rolling_));
     if (fixed_step_ > 0.0)
       for (const char* name : {"dampingRatioNormal", "dampingRatioShear"}) {
         const PairProperty ratio = read_pair_property(lmp, name, 0.0, false, 0.0);
@@ -156,7 +161,7 @@ void FixMotion::set_inertia()
   double stable = 1e300, factor = 1.0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double one_contact = pi * atom->radius[i] * stiffest_material_;
-    const double stiffness = std::max(one_contact, stiffness_[i].decisive());
+    const double stiffness = std::max(one_contact, stiffness_[i].decisive(rolling_));
     inertia_[i] = atom->rmass[i];
     if (fixed_step_ > 0.0)
       inertia_[i] = std::max(inertia_[i], mass_for_step(fixed_step_, stiffness, safety_));

@@ -62,7 +62,8 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
 
   double damping_, safety_, fixed_step_;
   int every_;
-  double stiffest_material_ = 0.0;  ///< largest E* [Pa]: the stiffness of one contact not seen yet
+  double stiffest_material_ = 0.0;  ///< E* [Pa] of the contact that would need the smallest step
+  bool rolling_ = false;
   bool setting_up_ = false;
   double* inertia_ = nullptr;  ///< per grain [kg]
   std::vector<GrainStiffness> stiffness_;

@@ -9,6 +9,8 @@
 #include "signal_handling.h"
 #include "timer.h"
 
+#include <algorithm>
+
 namespace encased_column {
 
 const KeywordTable SolveCommand::keywords{
@@ -35,6 +37,9 @@ void SolveCommand::command(int narg, char** arg)
     every = options.integer("every", 1, 200);
     max = options.integer("max", 1, 200000);
     least = options.integer("least", 0, 0);
+    if (least > max)
+      throw InputError("'least' must not be larger than 'max', found " + std::to_string(least) +
+                       " and " + std::to_string(max) + ", write a larger 'max'");
     const auto motions = fixes_that_are<FixMotion>(lmp);
     if (motions.size() != 1)
       throw InputError("'solve' needs one 'fix motion', found " + std::to_string(motions.size()) +
@@ -65,7 +70,7 @@ void SolveCommand::command(int narg, char** arg)
   double ratio = 1.0;
   while (done < max && !LAMMPS_NS::SignalHandler::request_quit) {
     // Pieces end where the motion has just weighed the grains.
-    const long piece = every - update->ntimestep % every;
+    const long piece = std::min(every - static_cast<long>(update->ntimestep % every), max - done);
     update->integrate->run(static_cast<int>(piece));
     done += piece;
     const Equilibrium& e = motion->equilibrium();
@@ -79,7 +84,7 @@ void SolveCommand::command(int narg, char** arg)
   update->beginstep = update->endstep = 0;
 
   report(ratio, limit, which, done);
-  if (ratio > limit && !LAMMPS_NS::SignalHandler::request_quit)
+  if (!(ratio <= limit) && !LAMMPS_NS::SignalHandler::request_quit)
     error->all(FLERR, ("'ratio' " + which + " " + in_words(limit) + " was not reached in " +
                        std::to_string(done) + " steps, found " + in_words(ratio) +
                        ", write a larger 'max' or look at what still moves")

@@ -25,8 +25,20 @@ struct GrainStiffness {
   }
 
   /// The stiffness [N/m] that the grain's mass must be set against.
-  double decisive() const { return std::max(translation.maxCoeff(), rotation.maxCoeff()); }
+  /// Rolling resistance is a second spring of at most k_t r^2 beside the rotation's: with it
+  /// rotation counts twice.
+  double decisive(bool rolling = false) const
+  {
+    return std::max(translation.maxCoeff(), (rolling ? 2.0 : 1.0) * rotation.maxCoeff());
+  }
 };
+
+/// Stiffness [N/m] over k_n of a single contact that decides a grain's step: k_n along the normal
+/// or k_t / 0.4 in rotation, twice that with rolling resistance.
+inline double decisive_ratio(double stiffness_ratio, bool rolling)
+{
+  return std::max(1.0, (rolling ? 2.0 : 1.0) / (0.4 * stiffness_ratio));
+}
 
 /// Stable step [s] of a mass [kg] on a stiffness [N/m]: f sqrt(m/k).
 ///

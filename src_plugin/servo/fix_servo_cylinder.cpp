@@ -43,6 +43,11 @@ void FixServoCylinder::init()
   }
 }
 
+double FixServoCylinder::confining_stress() const
+{
+  return platens_[0] ? load().force / loaded_area() : 0.0;  // before the first run there are none
+}
+
 double FixServoCylinder::loaded_area() const
 {
   const double height = std::abs(platens_[0]->height() - platens_[1]->height());

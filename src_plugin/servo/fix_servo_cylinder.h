@@ -21,7 +21,7 @@ class FixServoCylinder : public RigidWall, public SpecimenSide {
   double enclosed_volume(double z_low, double z_high) const override;
   double cross_section(double) const override { return cylinder_.cross_section(); }
   double radius_at(double) const override { return cylinder_.radius; }
-  double confining_stress() const override { return load().force / loaded_area(); }
+  double confining_stress() const override;
   double work() const override { return work_on_grains(); }
   bool holds(const double* center) const override;
 

@@ -37,16 +37,18 @@ struct ServoMemory {
 };
 constexpr double servo_learning = 0.02;
 
-/// As servo_speed(), with the even speed; it learns nothing while nothing touches or at the limit.
+/// As servo_speed(), with the even speed; it learns nothing at the limit, and starts anew where
+/// nothing touches.
 inline double steady_servo_speed(const WallLoad& load, double target, double area, double gain,
                                  double dt, double largest_speed, ServoMemory& memory)
 {
   const double correction = servo_speed(load, target, area, gain, dt, largest_speed);
-  const double speed = correction + memory.even_speed;
-  if (load.stiffness <= 0.0 || std::abs(speed) >= largest_speed) {
+  if (load.stiffness <= 0.0) {
     memory.even_speed = 0.0;
     return correction;
   }
+  const double speed = correction + memory.even_speed;
+  if (std::abs(speed) >= largest_speed) return std::copysign(largest_speed, speed);
   memory.even_speed += servo_learning * correction;
   return speed;
 }

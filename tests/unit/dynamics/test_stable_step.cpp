@@ -119,3 +119,13 @@ TEST(MassForStep, IsTheMassOfWhichThatStepIsStable)
   const double mass = mass_for_step(1.0, 3e4, 0.8);
   EXPECT_DOUBLE_EQ(stable_step(mass, 3e4, 0.8), 1.0);
 }
+
+// A grain on one wall contact turns against k_t r^2 with 2/5 m r^2: softer in rotation than along
+// the normal only while k_t < 0.4 k_n.
+TEST(DecisiveRatio, IsRotationWhereTheShearSpringIsStiff)
+{
+  EXPECT_EQ(decisive_ratio(3.5, false), 1.0);
+  EXPECT_DOUBLE_EQ(decisive_ratio(1.0, false), 2.5);
+  EXPECT_DOUBLE_EQ(decisive_ratio(0.01, false), 250.0);
+  EXPECT_DOUBLE_EQ(decisive_ratio(1.0, true), 5.0);
+}

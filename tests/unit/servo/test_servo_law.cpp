@@ -55,12 +55,16 @@ TEST(SteadyServoSpeed, HoldsItsTargetOnGrainsThatGiveWay)
   }
 }
 
-TEST(SteadyServoSpeed, ForgetsAtItsLimitAndWithNothingInContact)
+TEST(SteadyServoSpeed, KeepsItsLimitAndLearnsNothingThere)
 {
   ServoMemory memory{0.4};
   EXPECT_EQ(steady_servo_speed({0.0, 1.0}, 1e5, 0.02, 0.8, 1e-4, 0.5, memory), 0.5);
-  EXPECT_EQ(memory.even_speed, 0.0);
-  memory.even_speed = 0.1;
+  EXPECT_EQ(memory.even_speed, 0.4);
+}
+
+TEST(SteadyServoSpeed, StartsAnewWithNothingInContact)
+{
+  ServoMemory memory{0.1};
   EXPECT_EQ(steady_servo_speed({0.0, 0.0}, 0.0, 0.02, 0.8, 1e-4, 0.5, memory), 0.0);
   EXPECT_EQ(memory.even_speed, 0.0);
 }
