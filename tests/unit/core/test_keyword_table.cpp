@@ -117,4 +117,5 @@ TEST(Options, TakeTheLimitsOfARangeThemselves)
   const Options options = table.read(std::vector<std::string>{"radius", "0.8"});
   EXPECT_EQ(options.between("radius", 0.8, 1.0), 0.8);
   EXPECT_EQ(options.between("radius", 0.1, 0.8), 0.8);
+  EXPECT_EQ(table.read(std::vector<std::string>{"every", "3"}).integer("every", 3), 3);
 }
