@@ -84,16 +84,25 @@ long step_of_interrupted(const fs::path& folder, const std::string& deck, const 
   return 0;
 }
 
+/// The deck with grains in the order of their making. The host sorts them when it builds a list,
+/// more often in a run that stopped, and another order gives other round-off.
+std::string unsorted(std::string deck)
+{
+  const std::string map = "map array";
+  return deck.insert(deck.find(map) + map.size(), " sort 0 0");
+}
+
 void expect_to_go_on_after(const std::string& signal, const std::string& before,
                            const std::string& command)
 {
   const TemporaryFolder folder;
-  const long step = step_of_interrupted(folder.path(), new_specimen(before + command), signal);
+  const long step =
+      step_of_interrupted(folder.path(), unsorted(new_specimen(before + command)), signal);
   ASSERT_GE(step, 1200);
   const std::string file = "restart_forced_liggghts_" + std::to_string(step) + ".data";
-  run_in(folder.path(), specimen_of(file, rest("parts")));
-  // The same steps without a signal; the file made the host build its list at the last of them.
-  run_in(folder.path(), new_specimen(before + run_steps(step - 1000) + rest("whole")));
+  run_in(folder.path(), unsorted(specimen_of(file, rest("parts"))));
+  // The same steps without a signal; for its file the host built a list at the last of them.
+  run_in(folder.path(), unsorted(new_specimen(before + run_steps(step - 1000) + rest("whole"))));
   EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
 }
 
@@ -130,9 +139,9 @@ TEST(Restart, FromAFileWrittenDuringARunIsTheSameAsFromOneWrittenAfterIt)
 {
   const TemporaryFolder folder;
   run_in(folder.path(),
-         new_specimen(shear + "restart 3900 during.*\nrun 400\nwrite_restart stop\n"));
-  run_in(folder.path(), specimen_of("stop", rest("whole")));
-  run_in(folder.path(), specimen_of("during.3900", rest("parts")));
+         unsorted(new_specimen(shear + "restart 3900 during.*\nrun 400\nwrite_restart stop\n")));
+  run_in(folder.path(), unsorted(specimen_of("stop", rest("whole"))));
+  run_in(folder.path(), unsorted(specimen_of("during.3900", rest("parts"))));
   EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
 }
 
