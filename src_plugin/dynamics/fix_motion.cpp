@@ -3,6 +3,7 @@
 #include "core/constants.h"
 #include "core/input_error.h"
 #include "dynamics/local_damping.h"
+#include "host/gravity.h"
 #include "host/pair_history.h"
 #include "host/pair_property.h"
 #include "host/rank_sums.h"
@@ -21,6 +22,8 @@ const KeywordTable FixMotion::keywords{
      "`stable`: true masses at the stable step (default); a number: that step, by density scaling"},
     {"safety", 1, "-", "fraction f of the step sqrt(m/k), 0.01 to 1 (default 0.8)"},
     {"every", 1, "steps", "how often stiffness, step and equilibrium are found anew (default 50)"},
+    {"free_speed", 1, "m/s",
+     "grains that touch nothing fly no faster than this, larger than zero (default: no limit)"},
 };
 
 namespace {
@@ -50,6 +53,7 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::
     safety_ = options.between("safety", 0.01, 1.0, 0.8);
     every_ = static_cast<int>(options.integer("every", 1, 50));
     fixed_step_ = read_step(options);
+    read_free_speed(options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -72,6 +76,13 @@ FixMotion::~FixMotion()
 {
   atom->delete_callback(id, 0);
   memory->destroy(inertia_);
+}
+
+void FixMotion::read_free_speed(const Options& options)
+{
+  if (!options.has("free_speed")) return;
+  const double limit = options.positive("free_speed");
+  free_speed_square_ = limit * limit;
 }
 
 int FixMotion::setmask()
@@ -111,6 +122,7 @@ void FixMotion::init()
     error->fix_error(FLERR, this, problem.what());
   }
   if (fixed_step_ > 0.0) update->dt = fixed_step_;
+  gravity_ = gravity_of(lmp);
   setting_up_ = true;
 }
 
@@ -201,6 +213,21 @@ double FixMotion::kick(int i, double half_step)
          half_kick(atom->torque[i], damping_, per_moment, half_step, atom->omega[i]);
 }
 
+// Forces were summed up in a cleared array: on a grain without contact nothing is left but its
+// weight.
+bool FixMotion::touches_nothing(int i) const
+{
+  return (as_vec3(atom->f[i]) - atom->rmass[i] * gravity_).squaredNorm() <=
+         1e-20 * atom->rmass[i] * atom->rmass[i] * gravity_.squaredNorm();
+}
+
+double FixMotion::slow_down(int i)
+{
+  const double square = as_vec3(atom->v[i]).squaredNorm();
+  as_vec3(atom->v[i]) *= std::sqrt(free_speed_square_ / square);
+  return 0.5 * inertia_[i] * (square - free_speed_square_);
+}
+
 void FixMotion::initial_integrate(int)
 {
   if (setting_up_) {
@@ -213,6 +240,8 @@ void FixMotion::initial_integrate(int)
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     loss += kick(i, 0.5 * dt);
+    if (as_vec3(atom->v[i]).squaredNorm() > free_speed_square_ && touches_nothing(i))
+      loss += slow_down(i);
     for (int a = 0; a < 3; ++a) atom->x[i][a] += dt * atom->v[i][a];
   }
   loss_ += loss;
@@ -258,9 +287,10 @@ int FixMotion::modify_param(int narg, char** arg)
   try {
     const Options options = keywords.read(narg, arg, 0);
     damping_ = options.between("damping", 0.0, 0.99, damping_);
+    read_free_speed(options);
     if (options.has("step") || options.has("safety") || options.has("every"))
       throw InputError("'fix_modify " + std::string(id) +
-                       "' changes 'damping' only, make a new fix for the rest");
+                       "' changes 'damping' and 'free_speed' only, make a new fix for the rest");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

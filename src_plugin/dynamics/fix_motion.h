@@ -4,6 +4,7 @@
 #include "dynamics/stable_step.h"
 #include "host/contact_probe.h"
 
+#include <limits>
 #include <vector>
 
 namespace encased_column {
@@ -56,12 +57,17 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
   double damping_loss() const;
 
  private:
+  void read_free_speed(const Options& options);
   double kick(int i, double half_step);
+  bool touches_nothing(int i) const;
+  double slow_down(int i);  ///< to the free speed; returns the energy taken [J]
   void collect();
   void set_inertia();
 
   double damping_, safety_, fixed_step_;
   int every_;
+  double free_speed_square_ = std::numeric_limits<double>::infinity();  ///< [m^2/s^2]
+  Vec3 gravity_ = Vec3::Zero();                                         ///< [m/s^2]
   double stiffest_material_ = 0.0;  ///< E* [Pa] of the contact that would need the smallest step
   bool rolling_ = false;
   bool setting_up_ = false;

@@ -4,12 +4,13 @@ using namespace encased_column::testing;
 
 TEST(Motion, RefusesAnUnknownKeyword)
 {
-  expect_refused("two_grains", R"(
+  expect_refused(
+      "two_grains", R"(
 unfix move
 fix   move all motion dampnig 0.7
 run   1
 )",
-                 "unknown keyword 'dampnig', expected one of: damping, step, safety, every");
+      "unknown keyword 'dampnig', expected one of: damping, step, safety, every, free_speed");
 }
 
 TEST(Motion, RefusesAKeywordWithoutItsValue)
@@ -25,13 +26,14 @@ run   1
 
 TEST(Motion, SaysWhichValueIsMissingWhenAKeywordStandsInItsPlace)
 {
-  expect_refused("two_grains", R"(
+  expect_refused(
+      "two_grains", R"(
 unfix move
 fix   move all motion damping step 1e-6
 run   1
 )",
-                 "unknown keyword '1e-6', expected one of: damping, step, safety, every; or "
-                 "'damping' lacks a value, its last is 'step'");
+      "unknown keyword '1e-6', expected one of: damping, step, safety, every, free_speed; or "
+      "'damping' lacks a value, its last is 'step'");
 }
 
 TEST(Motion, RefusesAKeywordThatStandsTwice)

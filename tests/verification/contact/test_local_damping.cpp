@@ -55,3 +55,39 @@ TEST(LocalDamping, DoesNotSlowSteadyMotion)
   EXPECT_EQ(outcome.value("vx[1]"), 0.3);
   EXPECT_EQ(outcome.value("vz[1]"), -0.1);
 }
+
+// Speed 0.5 m/s, allowed 0.2: it keeps its direction, and the kinetic energy it loses is booked.
+TEST(FreeSpeed, SlowsAGrainThatTouchesNothing)
+{
+  const Outcome outcome = run_well(
+      material(7e6, 0.0) + grain(0, 0, 0.1) + grain_size + velocity(0.3, 0, -0.4) +
+      "fix move all motion free_speed 0.2\nrun 10\n" + print_numbers("vx[1] vz[1] f_move[5]"));
+  EXPECT_NEAR(outcome.value("vx[1]"), 0.12, 1e-12);
+  EXPECT_NEAR(outcome.value("vz[1]"), -0.16, 1e-12);
+  EXPECT_NEAR(outcome.value("f_move[5]"), 0.5 * mass * (0.25 - 0.04), 1e-9 * mass);
+}
+
+TEST(FreeSpeed, LimitsAFallToo)
+{
+  const Outcome outcome =
+      run_well(material(7e6, 0.0) + grain(0, 0, 0.1) + grain_size + velocity(0, 0, -0.1) +
+               "fix weight all gravity 9.8 vector 0 0 -1\n"
+               "fix move all motion damping 0 free_speed 0.2 safety 0.1\nrun 1500\n" +
+               print_numbers("vz[1] f_move[3]"));
+  // One step of gravity comes on top of the limit.
+  EXPECT_NEAR(outcome.value("vz[1]"), -0.2, 9.8 * outcome.value("f_move[3]"));
+}
+
+// Pressed against a platen the grain is faster than the limit all the time, and free to be.
+TEST(FreeSpeed, DoesNotSlowAGrainInContact)
+{
+  const std::string deck = material(7e6, 0.0) + grain(0, 0, 0.10005) + grain_size +
+                           platen("top", 0.1 + radius - 1e-4) +
+                           platen("bottom", 0.1 - radius + 1e-4);
+  const std::string end = "run 300\n" + print_numbers("z[1]");
+  const double limited =
+      run_well(deck + "fix move all motion safety 0.01 free_speed 1e-6\n" + end).value("z[1]");
+  const double free = run_well(deck + "fix move all motion safety 0.01\n" + end).value("z[1]");
+  EXPECT_EQ(limited, free);
+  EXPECT_NE(free, 0.10005);
+}
