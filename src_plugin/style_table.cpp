@@ -12,6 +12,7 @@
 #include "servo/create_wall_mesh_command.h"
 #include "servo/fix_servo_cylinder.h"
 #include "servo/fix_servo_platen.h"
+#include "shell/fix_mesh_surface_shell.h"
 
 namespace encased_column {
 
@@ -21,6 +22,7 @@ const std::vector<Style>& style_table()
       {"create_packing", make<CreatePackingCommand>()},
       {"create_wall_mesh", make<CreateWallMeshCommand>()},
       {"grow/radius", make<FixGrowRadius>()},
+      {"mesh/surface/shell", make<FixMeshSurfaceShell>()},
       {"motion", make<FixMotion>()},
       {"output/grains", make<FixOutputGrains>()},
       {"servo/cylinder", make<FixServoCylinder>()},

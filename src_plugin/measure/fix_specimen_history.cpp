@@ -239,12 +239,12 @@ void FixSpecimenHistory::take_sample()
   energy_ = {top_->work_on_grains() + bottom_->work_on_grains(),
              side_->work(),
              sums.weight_height,
-             sums.elastic,
-             sums.kinetic,
+             sums.elastic + side_->stored_energy(),
+             sums.kinetic + side_->kinetic_energy(),
              sums.friction,
              sums.rolling,
              sums.dashpots,
-             motion_->damping_loss()};
+             motion_->damping_loss() + side_->damping_loss()};
   if (reference_wanted_) take_reference();
 
   const double confining = now_.confining_stress;

@@ -17,8 +17,12 @@ class SpecimenSide {
   virtual double radius_at(double z) const = 0;
   /// Stress [Pa] it lays on the specimen.
   virtual double confining_stress() const = 0;
-  /// Work [J] it has done on the specimen.
+  /// Work [J] it has done on the specimen; of a sleeve: that was done on it from outside.
   virtual double work() const = 0;
+  /// Energy [J] a deformable side stores, moves with and has lost by damping; a rigid one has none.
+  virtual double stored_energy() const { return 0.0; }
+  virtual double kinetic_energy() const { return 0.0; }
+  virtual double damping_loss() const { return 0.0; }
   /// True where a grain with this center [m] is on the inner side.
   virtual bool holds(const double* center) const = 0;
 };

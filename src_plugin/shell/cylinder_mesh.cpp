@@ -21,7 +21,7 @@ void require_positive(const char* what, double found)
 
 }  // namespace
 
-CylinderCounts cylinder_counts(const CylinderShape& shape)
+CylinderCounts cylinder_counts(const TubeShape& shape)
 {
   require_positive("radius", shape.radius);
   require_positive("height", shape.height);
@@ -34,7 +34,7 @@ CylinderCounts cylinder_counts(const CylinderShape& shape)
   return {around, 1 + std::max(1, static_cast<int>(std::lround(shape.height / row)))};
 }
 
-SurfaceMesh cylinder_mesh(const CylinderShape& shape)
+SurfaceMesh cylinder_mesh(const TubeShape& shape)
 {
   const auto [around, rings] = cylinder_counts(shape);
   SurfaceMesh mesh;

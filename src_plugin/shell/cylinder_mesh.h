@@ -8,7 +8,7 @@ namespace encased_column {
 enum class Facing { outward, inward };
 
 /// A cylinder to be meshed; its axis is z.
-struct CylinderShape {
+struct TubeShape {
   double radius = 0.0;    ///< of the nodes [m]
   double bottom = 0.0;    ///< z of the lower end [m]
   double height = 0.0;    ///< [m]
@@ -21,13 +21,13 @@ struct CylinderShape {
 /// The lateral surface in staggered rings of nearly equilateral facets. Nodes are numbered ring by
 /// ring from the bottom; the number of nodes per ring and of rings are the wanted edge's, rounded.
 /// Throws InputError for a size that is not positive.
-SurfaceMesh cylinder_mesh(const CylinderShape& shape);
+SurfaceMesh cylinder_mesh(const TubeShape& shape);
 
 /// Nodes per ring and number of rings of that mesh.
 struct CylinderCounts {
   int around;
   int rings;
 };
-CylinderCounts cylinder_counts(const CylinderShape& shape);
+CylinderCounts cylinder_counts(const TubeShape& shape);
 
 }  // namespace encased_column

@@ -32,6 +32,7 @@ ShellModel::ShellModel(const SurfaceMesh& mesh, const ShellConstants& constants,
   velocity_.assign(n, Vec3::Zero());
   angular_velocity_.assign(n, Vec3::Zero());
   load_.assign(2 * n, Vec3::Zero());
+  external_ = velocity_before_ = spin_before_ = velocity_;
   rotation_.assign(n, Quaternion::Identity());
   rotation_matrix_.assign(n, Mat3::Identity());
   mass_.assign(n, 0.0);
@@ -70,6 +71,7 @@ void ShellModel::set_masses(const std::vector<double>& mass, const std::vector<d
 void ShellModel::clear_loads()
 {
   std::fill(load_.begin(), load_.end(), Vec3::Zero());
+  std::fill(external_.begin(), external_.end(), Vec3::Zero());
 }
 
 FacetVectors ShellModel::corners(int facet) const
@@ -103,27 +105,47 @@ double ShellModel::add_internal_loads(int first, int last)
   return energy;
 }
 
-void ShellModel::advance(double dt, double alpha)
+StepWork ShellModel::advance(double dt, double alpha)
 {
+  StepWork work;
   for (int i = 0; i < nodes(); ++i) {
+    velocity_before_[i] = velocity_[i];
+    spin_before_[i] = angular_velocity_[i];
     velocity_[i] += dt / mass_[i] * damped(force(i), velocity_[i], alpha);
     angular_velocity_[i] += dt / inertia_[i] * damped(moment(i), angular_velocity_[i], alpha);
+    work.damping += damping_work(i, dt, alpha, Mat3::Identity(), Mat3::Identity());
   }
   for (Support& support : support_) {
     const int i = support.node;
-    const Vec3 excess = support.held * (velocity_[i] - support.velocity);
-    const Vec3 excess_spin =
+    work.damping -= damping_work(i, dt, alpha, Mat3::Identity(), Mat3::Identity());
+    velocity_[i] -= support.held * (velocity_[i] - support.velocity);
+    angular_velocity_[i] -=
         support.held_rotation * (angular_velocity_[i] - support.angular_velocity);
-    velocity_[i] -= excess;
-    angular_velocity_[i] -= excess_spin;
+    work.damping += damping_work(i, dt, alpha, Mat3::Identity() - support.held,
+                                 Mat3::Identity() - support.held_rotation);
     support.force = -support.held * force(i);
     support.moment = -support.held_rotation * moment(i);
+    work.supports +=
+        dt * (support.force.dot(support.velocity) + support.moment.dot(support.angular_velocity));
   }
   for (int i = 0; i < nodes(); ++i) {
+    work.external += 0.5 * dt * external_[i].dot(velocity_before_[i] + velocity_[i]);
     position_[i] += dt * velocity_[i];
     rotation_[i] = turned(rotation_[i], angular_velocity_[i], dt);
     rotation_matrix_[i] = rotation_[i].toRotationMatrix();
   }
+  return work;
+}
+
+// Of the damping force only what `free` lets through does work: the rest the support takes up.
+double ShellModel::damping_work(int i, double dt, double alpha, const Mat3& free,
+                                const Mat3& free_rotation) const
+{
+  const Vec3 brake = free * (force(i) - damped(force(i), velocity_before_[i], alpha));
+  const Vec3 brake_spin = free_rotation * (moment(i) - damped(moment(i), spin_before_[i], alpha));
+  return 0.5 * dt *
+         (brake.dot(velocity_before_[i] + velocity_[i]) +
+          brake_spin.dot(spin_before_[i] + angular_velocity_[i]));
 }
 
 void ShellModel::add_stiffness(int first, int last, std::vector<StiffnessBound>& bound) const

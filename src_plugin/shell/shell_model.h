@@ -9,6 +9,13 @@
 
 namespace encased_column {
 
+/// What a step did to the energy of a sleeve [J].
+struct StepWork {
+  double external = 0.0;  ///< work of the loads in external()
+  double supports = 0.0;  ///< work of supports that move
+  double damping = 0.0;   ///< taken out by the local damping
+};
+
 /// A sleeve: nodes, facets, and the explicit integrator that moves them.
 ///
 /// One step is: clear_loads(); add_internal_loads() over a range of facets, pressure and contacts
@@ -40,6 +47,13 @@ class ShellModel {
   const std::vector<Vec3>& load() const { return load_; }
   Vec3& force(int node) { return load_[node]; }
   Vec3& moment(int node) { return load_[nodes() + node]; }
+  const Vec3& force(int node) const { return load_[node]; }
+  const Vec3& moment(int node) const { return load_[nodes() + node]; }
+
+  /// Part of the loads [N], one vector a node, of which advance() tells the work; whoever sets it
+  /// adds it to load() as well. Where ranks share the facets, each holds its part and gets its part
+  /// of the work.
+  std::vector<Vec3>& external() { return external_; }
 
   std::vector<Support>& support() { return support_; }
   const std::vector<Support>& support() const { return support_; }
@@ -54,7 +68,7 @@ class ShellModel {
   double add_internal_loads(int first, int last);
   /// One step of central differences: local damping -alpha |F| sign(v) per component of force and
   /// moment, supports, then motion.
-  void advance(double dt, double alpha);
+  StepWork advance(double dt, double alpha);
 
   FacetVectors corners(int facet) const;
   FacetRotations corner_rotations(int facet) const;
@@ -77,10 +91,14 @@ class ShellModel {
   Vec3 angular_momentum() const;
 
  private:
+  double damping_work(int i, double dt, double alpha, const Mat3& free,
+                      const Mat3& free_rotation) const;
+
   ShellMaterial material_;
   std::vector<Facet> facet_;
   std::vector<ShellElement> element_;
-  std::vector<Vec3> reference_, position_, velocity_, angular_velocity_, load_;
+  std::vector<Vec3> reference_, position_, velocity_, angular_velocity_, load_, external_;
+  std::vector<Vec3> velocity_before_, spin_before_;
   std::vector<Quaternion> rotation_;
   std::vector<Mat3> rotation_matrix_;
   std::vector<double> true_mass_, mass_, inertia_;

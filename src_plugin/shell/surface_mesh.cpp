@@ -99,6 +99,21 @@ std::vector<std::vector<int>> border_loops(const SurfaceMesh& mesh)
   return loops;
 }
 
+std::vector<std::array<int, 2>> facet_pairs(const SurfaceMesh& mesh)
+{
+  std::map<Edge, int> directed;
+  for (std::size_t f = 0; f < mesh.facet.size(); ++f)
+    for (int i = 0; i < 3; ++i)
+      directed[{mesh.facet[f][i], mesh.facet[f][(i + 1) % 3]}] = static_cast<int>(f);
+  std::vector<std::array<int, 2>> pairs;
+  for (const auto& [edge, facet] : directed) {
+    const auto other = directed.find({edge.second, edge.first});
+    if (edge.first < edge.second && other != directed.end())
+      pairs.push_back({facet, other->second});
+  }
+  return pairs;
+}
+
 void require_sleeve(const SurfaceMesh& mesh)
 {
   const auto loops = border_loops(mesh);

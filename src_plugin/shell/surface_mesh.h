@@ -26,6 +26,9 @@ SurfaceMesh welded(const std::vector<std::array<Vec3, 3>>& triangle, double tole
 /// node belongs to no facet.
 std::vector<std::vector<int>> border_loops(const SurfaceMesh& mesh);
 
+/// Facets that share an edge, each pair once.
+std::vector<std::array<int, 2>> facet_pairs(const SurfaceMesh& mesh);
+
 /// Refuses what is not the lateral surface of a sleeve: a mesh with other than two borders (its two
 /// ends) has a hole or is closed. Throws InputError, as border_loops does.
 void require_sleeve(const SurfaceMesh& mesh);

@@ -12,9 +12,9 @@ using namespace encased_column;
 
 namespace {
 
-CylinderShape sleeve()
+TubeShape sleeve()
 {
-  CylinderShape shape;
+  TubeShape shape;
   shape.radius = 0.05;
   shape.height = 0.2;
   shape.edge = 0.005;
@@ -71,7 +71,7 @@ TEST(CylinderMesh, IsWatertightWithItsTwoEndsAsBorders)
 TEST(CylinderMesh, FacesTheWayItWasAsked)
 {
   for (const Facing facing : {Facing::outward, Facing::inward}) {
-    CylinderShape shape = sleeve();
+    TubeShape shape = sleeve();
     shape.facing = facing;
     const SurfaceMesh mesh = cylinder_mesh(shape);
     const double sign = facing == Facing::outward ? 1.0 : -1.0;
@@ -85,7 +85,7 @@ TEST(CylinderMesh, FacesTheWayItWasAsked)
 
 TEST(CylinderMesh, RefusesSizesThatMakeNoMesh)
 {
-  CylinderShape shape = sleeve();
+  TubeShape shape = sleeve();
   shape.radius = 0.0;
   EXPECT_THROW(cylinder_mesh(shape), InputError);
   shape = sleeve();

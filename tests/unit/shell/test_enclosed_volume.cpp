@@ -12,9 +12,9 @@ using namespace encased_column;
 
 namespace {
 
-CylinderShape small_cylinder()
+TubeShape small_cylinder()
 {
-  CylinderShape shape;
+  TubeShape shape;
   shape.radius = 0.05;
   shape.bottom = -0.02;
   shape.height = 0.2;
@@ -41,7 +41,7 @@ double swept(const SurfaceMesh& mesh, const std::vector<Vec3>& from, const std::
 // volume h/3 (A + A_mid 4/2 ...) by Simpson over its polygonal sections, exact for a polyhedron.
 TEST(EnclosedVolume, OfStaggeredRingsIsThatOfTheAntiprism)
 {
-  const CylinderShape shape = small_cylinder();
+  const TubeShape shape = small_cylinder();
   const SurfaceMesh mesh = cylinder_mesh(shape);
   const int n = cylinder_counts(shape).around;
   const double area = 0.5 * n * 0.05 * 0.05 * std::sin(2.0 * pi / n);
@@ -94,7 +94,7 @@ TEST(EnclosedVolume, SweptInManySmallStepsIsTheSameAsItsChange)
 
 TEST(EnclosedVolume, IsNegativeWhereTheFacetsLookInward)
 {
-  CylinderShape shape = small_cylinder();
+  TubeShape shape = small_cylinder();
   const double outward = volume(cylinder_mesh(shape), cylinder_mesh(shape).node);
   shape.facing = Facing::inward;
   const SurfaceMesh inward = cylinder_mesh(shape);

@@ -59,7 +59,7 @@ TEST(PressureLoad, OnAClosedSurfaceHasNoForceAndNoMoment)
 
 TEST(PressureLoad, ActsOnlyBetweenTheHeightsOfTheWindow)
 {
-  CylinderShape shape;
+  TubeShape shape;
   shape.radius = 0.05;
   shape.height = 0.2;
   shape.edge = 0.01;

@@ -11,7 +11,7 @@ namespace {
 
 SurfaceMesh small_tube()
 {
-  CylinderShape shape;
+  TubeShape shape;
   shape.radius = 0.05;
   shape.height = 0.06;
   shape.edge = 0.02;

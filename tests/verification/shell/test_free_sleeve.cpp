@@ -14,7 +14,7 @@ namespace {
 /// A small free tube, displaced, turned and moving at random.
 ShellModel shaken_tube(double strain, double speed)
 {
-  CylinderShape shape;
+  TubeShape shape;
   shape.radius = 0.05;
   shape.height = 0.06;
   shape.edge = 0.02;

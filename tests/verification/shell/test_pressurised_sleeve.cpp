@@ -27,7 +27,7 @@ ShellConstants sleeve_constants(double thickness)
 
 SurfaceMesh sleeve_mesh(double edge)
 {
-  CylinderShape shape;
+  TubeShape shape;
   shape.radius = radius;
   shape.height = height;
   shape.edge = edge;
@@ -66,7 +66,7 @@ double mean_ring_radius(const ShellModel& model, int around, int ring)
 double clamped_error(double thickness, double edge)
 {
   const SurfaceMesh mesh = sleeve_mesh(edge);
-  CylinderShape shape;
+  TubeShape shape;
   shape.radius = radius;
   shape.height = height;
   shape.edge = edge;

@@ -1,0 +1,223 @@
+// What the sleeve does in a step: it moves, takes the loads of facets, pressure and grains, and
+// looks after itself.
+#include "shell/fix_mesh_surface_shell.h"
+
+#include "host/rank_sums.h"
+#include "servo/fix_servo_platen.h"
+#include "shell/enclosed_volume.h"
+#include "shell/level_cut.h"
+
+#include <cmath>
+
+namespace encased_column {
+
+namespace {
+
+constexpr int checks_apart = 4;   ///< looks between two checks of the facets
+constexpr int bounds_apart = 20;  ///< looks between two bounds of the facets' stiffness
+
+}  // namespace
+
+// Set-up repeats the forces of the step before: what contacts remember stays as it is, and so do
+// masses that were made for this length of step.
+void FixMeshSurfaceShell::setup(int)
+{
+  weighing_ = weighed_step_ != update->dt;
+  take_loads(false);
+  sum_loads();
+  if (weighing_) weigh();
+}
+
+void FixMeshSurfaceShell::initial_integrate(int)
+{
+  if (rigid_) return;
+  std::vector<Support>& supports = model_->support();
+  for (std::size_t n = 0; n < supports.size(); ++n) {
+    const int end = n < first_bottom_support_ ? 0 : 1;
+    if (ends_[end] != SleeveEnd::platen) continue;
+    const double inward = platens_[end]->speed();
+    supports[n].velocity = Vec3(0.0, 0.0, end == 0 ? -inward : inward);
+  }
+  const StepWork work = model_->advance(update->dt, damping_);
+  pressure_work_ += work.external;
+  support_work_ += work.supports;
+  damping_loss_ += work.damping;
+}
+
+void FixMeshSurfaceShell::take_loads(bool advance_memory)
+{
+  model_->clear_loads();
+  if (!rigid_) energy_ = model_->add_internal_loads(first_, last_);
+  if (const double pressure = pressure_now(); pressure != 0.0) {
+    add_pressure(model_->facet(), model_->position(), first_, last_, -pressure,
+                 everywhere_ ? HeightWindow() : window(), model_->external());
+    for (int i = 0; i < model_->nodes(); ++i) model_->force(i) += model_->external()[i];
+  }
+  if (advance_memory) weighing_ = update->ntimestep % every_ == 0;
+  if (weighing_) contact_bound_.assign(model_->nodes(), {0.0, 0.0});
+  press_grains(advance_memory);
+}
+
+void FixMeshSurfaceShell::press_grains(bool advance_memory)
+{
+  desk_.ask_probes();
+  // Lists of pairs and of facets hold together: grains keep their numbers in between.
+  if (neighbor->ago == 0 || contacts_.is_stale(*model_))
+    contacts_.list(*model_, atom->nlocal ? atom->x[0] : nullptr, atom->radius, atom->nlocal,
+                   neighbor->skin);
+  if (rolling_)
+    press<true>(advance_memory);
+  else
+    press<false>(advance_memory);
+}
+
+template <bool rolling>
+void FixMeshSurfaceShell::press(bool advance_memory)
+{
+  const double step = static_cast<double>(update->ntimestep);
+  vertical_force_ = 0.0;
+  for (int n = 0; n < contacts_.size(); ++n) {
+    const int i = contacts_.grain(n);
+    const double radius = atom->radius[i];
+    const Vec3 center = as_vec3(atom->x[i]);
+    if (!(atom->mask[i] & groupbit) || !contacts_.touches(*model_, n, center, radius)) continue;
+    if (contacts_.is_behind(*model_))
+      error->one(FLERR, ("grain " + std::to_string(atom->tag[i]) +
+                         " is on the wrong side of facet " + std::to_string(contacts_.facet()) +
+                         " of sleeve '" + id + "' at step " + std::to_string(update->ntimestep) +
+                         ", load more slowly or raise the contact modulus of the sleeve")
+                            .c_str());
+    const SmoothTouch& smooth = contacts_.touch();
+    const Touch touch{
+        smooth.overlap,
+        smooth.normal,
+        atom->rmass[i],
+        {radius, as_vec3(atom->v[i]), as_vec3(atom->omega[i])},
+        {0.0, rigid_ ? Vec3(Vec3::Zero()) : contacts_.surface_velocity(*model_), Vec3::Zero()}};
+    ContactMaterial material = desk_.material(atom->type[i], type_);
+    material.modulus *= smooth.stiffening;
+    const ContactAction action = resolve_contact<rolling>(material, touch, update->dt, step,
+                                                          advance_memory, contact_memory(i));
+    as_vec3(atom->f[i]) += action.force;
+    as_vec3(atom->torque[i]) += action.moment_i;
+    const Vec3 shear = -action.force - action.normal_force * smooth.normal;
+    contacts_.press(*model_, action.normal_force, shear, center + action.arm * smooth.normal);
+    vertical_force_ -= action.force.z();
+    if (weighing_)
+      contacts_.add_stiffness(*model_, std::max(action.stiffness.normal, action.stiffness.shear),
+                              contact_bound_);
+    desk_.book(i, -1, 1.0, advance_memory, touch, action);
+  }
+}
+
+void FixMeshSurfaceShell::sum_loads()
+{
+  std::vector<Vec3>& load = model_->load();
+  if (comm->nprocs > 1) sum_over_ranks(load.front().data(), 3 * load.size(), world);
+}
+
+void FixMeshSurfaceShell::final_integrate()
+{
+  sum_loads();
+  if (!weighing_) return;
+  weigh();
+  if (update->ntimestep % (checks_apart * every_) == 0) check();
+}
+
+void FixMeshSurfaceShell::weigh()
+{
+  const int nodes = model_->nodes();
+  if (facet_bound_.empty() || weighed_step_ != update->dt ||
+      update->ntimestep % (bounds_apart * every_) == 0) {
+    facet_bound_.assign(nodes, {0.0, 0.0});
+    model_->add_stiffness(first_, last_, facet_bound_);
+    sum_over_ranks(&facet_bound_.front().translation, 2 * facet_bound_.size(), world);
+  }
+  sum_over_ranks(&contact_bound_.front().translation, 2 * contact_bound_.size(), world);
+  for (int i = 0; i < nodes; ++i) {
+    contact_bound_[i].translation += facet_bound_[i].translation;
+    contact_bound_[i].rotation += facet_bound_[i].rotation;
+  }
+  weighed_step_ = update->dt;
+  if (scale_masses_) {
+    mass_factor_ = model_->scale_masses(contact_bound_, update->dt, safety_);
+    return;
+  }
+  const double stable = model_->stable_step(contact_bound_, safety_);
+  if (update->dt > stable)
+    error->fix_error(
+        FLERR, this,
+        ("the step of " + in_words(update->dt) + " s is longer than the sleeve's stable " +
+         in_words(stable) + " s, write a shorter step or 'mass_scaling yes'")
+            .c_str());
+}
+
+void FixMeshSurfaceShell::check()
+{
+  auto fault = fault_of_facets(*model_, first_, last_, strain_limit_);
+  if (!fault && comm->me == 0) fault = fault_of_pairs(*model_, pairs_);
+  if (fault)
+    error->one(FLERR, ("at step " + std::to_string(update->ntimestep) + " " + *fault).c_str());
+  if (rupture_ <= 0.0 || rupture_told_) return;
+  const double tension = summary().hoop_tension_max;
+  if (tension <= rupture_) return;
+  rupture_told_ = true;
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   ("the hoop tension of sleeve '" + std::string(id) + "' is " + in_words(tension) +
+                    " N/m at step " + std::to_string(update->ntimestep) +
+                    " and passes its 'rupture' of " + in_words(rupture_) + " N/m; it does not tear")
+                       .c_str());
+}
+
+double FixMeshSurfaceShell::enclosed_volume(double z_low, double z_high) const
+{
+  return encased_column::enclosed_volume(model_->facet(), model_->position(), 0, model_->facets(),
+                                         {z_low, z_high});
+}
+
+double FixMeshSurfaceShell::cross_section(double z) const
+{
+  return area_at_level(model_->facet(), model_->position(), level_inside(z));
+}
+
+double FixMeshSurfaceShell::radius_at(double z) const
+{
+  return std::sqrt(cross_section(z) / pi);
+}
+
+bool FixMeshSurfaceShell::holds(const double* center) const
+{
+  return is_inside(model_->facet(), model_->position(), as_vec3(center));
+}
+
+double FixMeshSurfaceShell::work() const
+{
+  return sum_over_ranks(pressure_work_, world) + support_work_;
+}
+
+double FixMeshSurfaceShell::stored_energy() const
+{
+  return sum_over_ranks(energy_, world);
+}
+
+double FixMeshSurfaceShell::kinetic_energy() const
+{
+  return model_->kinetic_energy();
+}
+
+double FixMeshSurfaceShell::axial_force(bool top) const
+{
+  const std::vector<Support>& supports = model_->support();
+  double sum = 0.0;
+  for (std::size_t n = 0; n < supports.size(); ++n)
+    if ((n < first_bottom_support_) == top) sum += supports[n].force.z();
+  return sum;
+}
+
+double FixMeshSurfaceShell::friction_force() const
+{
+  return sum_over_ranks(vertical_force_, world);
+}
+
+}  // namespace encased_column

@@ -1,0 +1,103 @@
+#include "shell/sleeve_contacts.h"
+
+#include "shell/contact_to_nodes.h"
+#include "shell/nearest_point.h"
+
+#include <algorithm>
+
+namespace encased_column {
+
+void SleeveContacts::list(const ShellModel& model, const double* centers, const double* radii,
+                          int grains, double margin)
+{
+  margin_ = margin;
+  listed_position_ = model.position();
+  grid_.sort(model.facet(), model.position());
+  grain_.clear();
+  near_.clear();
+  begin_.assign(1, 0);
+  for (int i = 0; i < grains; ++i) {
+    const Vec3 center = as_vec3(centers + 3 * i);
+    const double reach = radii[i] + margin;
+    grid_.near(center, reach, [&](int f) {
+      const FacetVectors corner = model.corners(f);
+      const Vec3 weight = nearest_on_triangle(corner[0], corner[1], corner[2], center);
+      const Vec3 point = weight(0) * corner[0] + weight(1) * corner[1] + weight(2) * corner[2];
+      if ((point - center).squaredNorm() < reach * reach) near_.push_back(f);
+    });
+    const int end = static_cast<int>(near_.size());
+    if (end == begin_.back()) continue;
+    grain_.push_back(i);
+    begin_.push_back(end);
+  }
+}
+
+bool SleeveContacts::is_stale(const ShellModel& model) const
+{
+  const double limit = 0.25 * margin_ * margin_;
+  for (int i = 0; i < model.nodes(); ++i)
+    if ((model.position()[i] - listed_position_[i]).squaredNorm() > limit) return true;
+  return false;
+}
+
+bool SleeveContacts::touches(const ShellModel& model, int n, const Vec3& center, double radius)
+{
+  facets_.clear();
+  for (int m = begin_[n]; m < begin_[n + 1]; ++m) {
+    const int f = near_[m];
+    const FacetVectors corner = model.corners(f);
+    // Most facets near by are out of reach of their plane already.
+    const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+    const double height = normal.dot(corner[0] - center);
+    if (height * height >= radius * radius * normal.squaredNorm()) continue;
+    const Vec3 weight = nearest_on_triangle(corner[0], corner[1], corner[2], center);
+    const Vec3 way = weight(0) * corner[0] + weight(1) * corner[1] + weight(2) * corner[2] - center;
+    const double square = way.squaredNorm();
+    if (square >= radius * radius) continue;
+    const double distance = std::sqrt(square);
+    facets_.push_back({f, weight, way / distance, radius - distance, 0.0, 0.0});
+  }
+  if (facets_.empty()) return false;
+  touch_ = join_touches(facets_);
+  return true;
+}
+
+bool SleeveContacts::is_behind(const ShellModel& model) const
+{
+  const auto deepest = std::max_element(
+      facets_.begin(), facets_.end(),
+      [](const FacetTouch& a, const FacetTouch& b) { return a.overlap < b.overlap; });
+  const FacetVectors corner = model.corners(deepest->facet);
+  return deepest->direction.dot((corner[1] - corner[0]).cross(corner[2] - corner[0])) < 0.0;
+}
+
+Vec3 SleeveContacts::surface_velocity(const ShellModel& model) const
+{
+  Vec3 velocity = Vec3::Zero();
+  for (const FacetTouch& t : facets_)
+    for (int i = 0; i < 3; ++i)
+      velocity += t.share * t.weight(i) * model.velocity()[model.facet()[t.facet][i]];
+  return velocity;
+}
+
+void SleeveContacts::press(ShellModel& model, double normal_force, const Vec3& shear,
+                           const Vec3& point) const
+{
+  for (const FacetTouch& t : facets_) {
+    const Facet& node = model.facet()[t.facet];
+    const Vec3 normal = (normal_force * t.pull) * t.direction;
+    const std::array<Vec3, 3> along =
+        contact_to_nodes(model.corners(t.facet), point, t.share * shear, Vec3::Zero());
+    for (int i = 0; i < 3; ++i) model.force(node[i]) += t.weight(i) * normal + along[i];
+  }
+}
+
+void SleeveContacts::add_stiffness(const ShellModel& model, double stiffness,
+                                   std::vector<StiffnessBound>& bound) const
+{
+  for (const FacetTouch& t : facets_)
+    for (int i = 0; i < 3; ++i)
+      bound[model.facet()[t.facet][i]].translation += 2.0 * stiffness * t.share * t.weight(i);
+}
+
+}  // namespace encased_column

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "shell/facet_grid.h"
+#include "shell/shell_model.h"
+#include "shell/smooth_overlap.h"
+
+#include <vector>
+
+namespace encased_column {
+
+/// Contacts of grains with a sleeve: which facets are near each grain, how a grain and they
+/// overlap, and how the contact force reaches the nodes.
+class SleeveContacts {
+ public:
+  /// Lists, for `grains` centers [m] in a row of triples, the facets within radius + `margin` [m].
+  /// The list holds while no grain and no node moves further than half the margin.
+  void list(const ShellModel& model, const double* centers, const double* radii, int grains,
+            double margin);
+  /// True once a node has moved more than half the margin since list().
+  bool is_stale(const ShellModel& model) const;
+
+  /// Listed grains, in the order of their numbers.
+  int size() const { return static_cast<int>(grain_.size()); }
+  int grain(int n) const { return grain_[n]; }
+
+  /// Looks whether listed grain n, now at `center` [m], touches. The touch stays with this object
+  /// until the next call, for those below.
+  bool touches(const ShellModel& model, int n, const Vec3& center, double radius);
+  const SmoothTouch& touch() const { return touch_; }
+  /// True where the center lies behind the facet it is deepest in.
+  bool is_behind(const ShellModel& model) const;
+  /// A facet of the touch.
+  int facet() const { return facets_.front().facet; }
+  /// Velocity of the surface at the contact [m/s].
+  Vec3 surface_velocity(const ShellModel& model) const;
+
+  /// Gives the sleeve what it feels of the touch: the normal force [N] along the facets'
+  /// directions, the shear force [N] on the sleeve at `point` [m]. Nodal forces are statically
+  /// equivalent.
+  void press(ShellModel& model, double normal_force, const Vec3& shear, const Vec3& point) const;
+
+  /// Adds to `bound` what a contact of this stiffness [N/m] adds to its nodes: 2 k w for the node
+  /// of weight w, so that the bounds of a node, with the grain on the other side, stay above the
+  /// largest eigenvalue.
+  void add_stiffness(const ShellModel& model, double stiffness,
+                     std::vector<StiffnessBound>& bound) const;
+
+ private:
+  FacetGrid grid_;
+  double margin_ = 0.0;
+  std::vector<Vec3> listed_position_;
+  std::vector<int> grain_, begin_, near_;
+  std::vector<FacetTouch> facets_;
+  SmoothTouch touch_{};
+};
+
+}  // namespace encased_column

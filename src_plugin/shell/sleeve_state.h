@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/input_error.h"
+#include "shell/height_window.h"
+#include "shell/shell_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace encased_column {
+
+/// What an engineer reads off a sleeve; tension and stretch positive.
+struct SleeveSummary {
+  double area = 0.0;              ///< of the facets counted [m^2]
+  double hoop_tension = 0.0;      ///< mean over the area [N/m]
+  double hoop_tension_max = 0.0;  ///< [N/m]
+  double hoop_strain = 0.0;       ///< mean over the area [-]
+  double hoop_strain_max = 0.0;   ///< [-]
+};
+
+/// Means over the facets whose centers lie in the window, and the largest values of any facet.
+inline SleeveSummary summary_of(const ShellModel& model, const HeightWindow& window)
+{
+  SleeveSummary out;
+  for (int f = 0; f < model.facets(); ++f) {
+    const FacetState state = model.facet_state(f);
+    out.hoop_tension_max = std::max(out.hoop_tension_max, state.membrane_force(0));
+    out.hoop_strain_max = std::max(out.hoop_strain_max, state.strain(0));
+    const FacetVectors x = model.corners(f);
+    const double z = (x[0].z() + x[1].z() + x[2].z()) / 3.0;
+    if (z < window.low || z > window.high) continue;
+    const double area = model.element()[f].area();
+    out.area += area;
+    out.hoop_tension += area * state.membrane_force(0);
+    out.hoop_strain += area * state.strain(0);
+  }
+  if (out.area > 0.0) {
+    out.hoop_tension /= out.area;
+    out.hoop_strain /= out.area;
+  }
+  return out;
+}
+
+/// What is wrong with one of facets [first, last), as a sentence; nothing when all is well.
+/// A facet is over-stretched when a principal strain exceeds `limit` [-] either way.
+inline std::optional<std::string> fault_of_facets(const ShellModel& model, int first, int last,
+                                                  double limit)
+{
+  for (int f = first; f < last; ++f) {
+    const FacetVectors x = model.corners(f);
+    const double sum = x[0].sum() + x[1].sum() + x[2].sum();
+    if (!std::isfinite(sum))
+      return "facet " + std::to_string(f) +
+             " of the sleeve has a position that is not a number, go back to the last restart file "
+             "with a smaller step";
+    const FacetState state = model.facet_state(f);
+    const double strain = std::max(state.largest_strain, -state.smallest_strain);
+    if (!(strain <= limit))
+      return "facet " + std::to_string(f) + " of the sleeve is strained by " + in_words(strain) +
+             ", the 'strain_limit' is " + in_words(limit) +
+             ", slow the loading, look at the sleeve there or write a larger limit";
+  }
+  return {};
+}
+
+/// The same for pairs of neighbours: folded over by more than 120 degrees, one of them is inverted.
+inline std::optional<std::string> fault_of_pairs(const ShellModel& model,
+                                                 const std::vector<std::array<int, 2>>& pairs)
+{
+  const auto normal = [&model](int f) -> Vec3 {
+    const FacetVectors x = model.corners(f);
+    return (x[1] - x[0]).cross(x[2] - x[0]).normalized();
+  };
+  for (const auto& [a, b] : pairs)
+    if (normal(a).dot(normal(b)) < -0.5)
+      return "facets " + std::to_string(a) + " and " + std::to_string(b) +
+             " of the sleeve are folded on each other, one is inverted: use shorter facets, a "
+             "larger "
+             "'bending_thickness' or a slower load";
+  return {};
+}
+
+}  // namespace encased_column

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/vec3.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace encased_column {
+
+/// A sphere and one facet that overlap.
+struct FacetTouch {
+  int facet;
+  Vec3 weight;     ///< area coordinates of the facet's nearest point [-]
+  Vec3 direction;  ///< unit, from the center to that point
+  double overlap;  ///< radius less distance, larger than zero [m]
+  double pull;     ///< of the normal force, along `direction` [-]; set by join_touches()
+  double share;    ///< of shear force and wall velocity, sums to 1 [-]; set by join_touches()
+};
+
+/// The one contact that all of them make.
+struct SmoothTouch {
+  double overlap;     ///< [m]
+  Vec3 normal;        ///< unit, from the center to the surface
+  double stiffening;  ///< factor on the normal stiffness, 1 to n^(1/4) for n facets [-]
+};
+
+/// Joins the touches of one sphere with a faceted surface into one contact that does not jump where
+/// the sphere rolls from facet to facet.
+///
+/// With the overlaps o_i = R - distance to facet i the contact stores V = k o^2 / 2,
+///
+///   o = (sum o_i^8)^(1/8),
+///
+/// a smooth maximum: the distance to a triangle is differentiable everywhere outside it, so V is,
+/// and force and nodal forces are its gradients. On one facet o = o_1; over an edge shared by two
+/// it is at most 2^(1/8) = 1.09 o_1. The force k o sum w_i d_i, w_i = (o_i / o)^7, is given as that
+/// of a contact of overlap o / g and stiffness k g^2, g = |sum w_i d_i|: of the same force and
+/// energy, with the overlap that the surface really has. (Adding up the facets' own forces would
+/// double the stiffness over every edge; taking the deepest facet would make the normal jump.)
+inline SmoothTouch join_touches(std::vector<FacetTouch>& touches)
+{
+  if (touches.size() == 1) {
+    touches[0].pull = touches[0].share = 1.0;
+    return {touches[0].overlap, touches[0].direction, 1.0};
+  }
+  double deepest = 0.0;
+  for (const FacetTouch& t : touches) deepest = std::max(deepest, t.overlap);
+  const auto eighth_power = [](double x) {
+    const double square = x * x, fourth = square * square;
+    return fourth * fourth;
+  };
+  double sum = 0.0;
+  for (const FacetTouch& t : touches) sum += eighth_power(t.overlap / deepest);
+  const double overlap = deepest * std::sqrt(std::sqrt(std::sqrt(sum)));
+
+  Vec3 gradient = Vec3::Zero();
+  double weights = 0.0;
+  for (FacetTouch& t : touches) {
+    const double ratio = t.overlap / overlap;
+    t.share = ratio > 0.0 ? eighth_power(ratio) / ratio : 0.0;
+    weights += t.share;
+    gradient += t.share * t.direction;
+  }
+  const double length = gradient.norm();
+  for (FacetTouch& t : touches) {
+    t.pull = t.share / length;
+    t.share /= weights;
+  }
+  return {overlap / length, gradient / length, length * length};
+}
+
+}  // namespace encased_column
