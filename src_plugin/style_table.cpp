@@ -7,6 +7,7 @@
 #include "dynamics/solve_command.h"
 #include "measure/fix_specimen_history.h"
 #include "output/fix_output_grains.h"
+#include "output/fix_output_sleeve.h"
 #include "packing/create_packing_command.h"
 #include "packing/fix_grow_radius.h"
 #include "servo/create_wall_mesh_command.h"
@@ -25,6 +26,7 @@ const std::vector<Style>& style_table()
       {"mesh/surface/shell", make<FixMeshSurfaceShell>()},
       {"motion", make<FixMotion>()},
       {"output/grains", make<FixOutputGrains>()},
+      {"output/sleeve", make<FixOutputSleeve>()},
       {"servo/cylinder", make<FixServoCylinder>()},
       {"servo/platen", make<FixServoPlaten>()},
       {"solve", make<SolveCommand>()},

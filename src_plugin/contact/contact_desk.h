@@ -42,6 +42,14 @@ class ContactDesk {
     if (!active_.empty()) tell_probes(i, j, share, touch, action);
   }
 
+  /// Tells the probes of a grain of this type and radius [m] that may touch a wall soon.
+  void tell_near(int i, int type_i, int type_wall, double radius)
+  {
+    if (active_.empty()) return;
+    const ContactStiffness k = linear_stiffness(material(type_i, type_wall), radius, radius);
+    for (ContactProbe* probe : active_) probe->add_near_wall(i, k.normal, k.shear);
+  }
+
  private:
   void ask_probes_anew();
   void tell_probes(int i, int j, double share, const Touch& touch, const ContactAction& action);

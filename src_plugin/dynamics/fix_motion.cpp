@@ -104,8 +104,9 @@ void FixMotion::init()
     const PairProperty modulus = read_pair_property(lmp, "contactModulus", 0.0, true);
     const PairProperty ratio = read_pair_property(lmp, "stiffnessRatio", 0.0, true);
     stiffest_material_ = 0.0;
-    for (int i = 1; i <= atom->ntypes; ++i)
-      for (int j = 1; j <= atom->ntypes; ++j)
+    const std::vector<int> types = types_of_grains();
+    for (const int i : types)
+      for (const int j : types)
         stiffest_material_ = std::max(stiffest_material_,
                                       modulus.at(i, j) * decisive_ratio(ratio.at(i, j), rolling_));
     if (fixed_step_ > 0.0)
@@ -124,6 +125,18 @@ void FixMotion::init()
   if (fixed_step_ > 0.0) update->dt = fixed_step_;
   gravity_ = gravity_of(lmp);
   setting_up_ = true;
+}
+
+/// Atom types that grains have; others stand for the materials of walls.
+std::vector<int> FixMotion::types_of_grains() const
+{
+  std::vector<double> seen(atom->ntypes, 0.0);
+  for (int i = 0; i < atom->nlocal; ++i) seen[atom->type[i] - 1] = 1.0;
+  sum_over_ranks(seen.data(), seen.size(), world);
+  std::vector<int> types;
+  for (int t = 0; t < atom->ntypes; ++t)
+    if (seen[t] > 0.0) types.push_back(t + 1);
+  return types;
 }
 
 bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
@@ -145,6 +158,7 @@ void FixMotion::pre_force(int)
 void FixMotion::collect()
 {
   stiffness_.assign(atom->nlocal, GrainStiffness());
+  near_wall_.assign(atom->nlocal, 0.0);
   contact_force_sum_ = contact_count_ = 0.0;
 }
 
@@ -157,6 +171,13 @@ void FixMotion::add_contact(const Contact& contact)
   contact_count_ += contact.share;
 }
 
+void FixMotion::add_near_wall(int i, double normal_stiffness, double shear_stiffness)
+{
+  const double stiffness =
+      normal_stiffness * decisive_ratio(normal_stiffness / shear_stiffness, rolling_);
+  near_wall_[i] = std::max(near_wall_[i], stiffness);
+}
+
 // The host sets fixes up in the deck's order, and walls that stand behind this fix add their
 // contacts and forces only then: what `run 0` shows is taken here, what the first step uses is
 // taken at its start.
@@ -166,14 +187,15 @@ void FixMotion::setup(int)
   weigh_equilibrium();
 }
 
-// A grain that touches little now may touch a wall in the next step: no grain counts as softer
-// than one wall contact makes it.
+// A grain that touches little now may touch more in the next step: no grain counts as softer than
+// one contact on a flat grain would make it, or on a wall that is within reach.
 void FixMotion::set_inertia()
 {
   double stable = 1e300, factor = 1.0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double one_contact = pi * atom->radius[i] * stiffest_material_;
-    const double stiffness = std::max(one_contact, stiffness_[i].decisive(rolling_));
+    const double stiffness =
+        std::max({one_contact, near_wall_[i], stiffness_[i].decisive(rolling_)});
     inertia_[i] = atom->rmass[i];
     if (fixed_step_ > 0.0)
       inertia_[i] = std::max(inertia_[i], mass_for_step(fixed_step_, stiffness, safety_));

@@ -45,6 +45,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
 
   bool wants_contacts(LAMMPS_NS::bigint step) const override;
   void add_contact(const Contact& contact) override;
+  void add_near_wall(int i, double normal_stiffness, double shear_stiffness) override;
 
   /// As of the last step that `every` divides.
   const Equilibrium& equilibrium() const { return equilibrium_; }
@@ -62,17 +63,20 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
   bool touches_nothing(int i) const;
   double slow_down(int i);  ///< to the free speed; returns the energy taken [J]
   void collect();
+  std::vector<int> types_of_grains() const;
   void set_inertia();
 
   double damping_, safety_, fixed_step_;
   int every_;
   double free_speed_square_ = std::numeric_limits<double>::infinity();  ///< [m^2/s^2]
   Vec3 gravity_ = Vec3::Zero();                                         ///< [m/s^2]
-  double stiffest_material_ = 0.0;  ///< E* [Pa] of the contact that would need the smallest step
+  double stiffest_material_ =
+      0.0;  ///< E* [Pa] of the contact of grains that needs the smallest step
   bool rolling_ = false;
   bool setting_up_ = false;
   double* inertia_ = nullptr;  ///< per grain [kg]
   std::vector<GrainStiffness> stiffness_;
+  std::vector<double> near_wall_;  ///< decisive stiffness of a contact with a wall near by [N/m]
   double contact_force_sum_ = 0.0, contact_count_ = 0.0;
   double loss_ = 0.0;
   double largest_factor_ = 1.0, stable_step_ = 0.0;

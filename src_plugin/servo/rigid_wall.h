@@ -98,7 +98,11 @@ void RigidWall::press(const Shape& shape)
   for (int i = 0; i < atom->nlocal; ++i) {
     const double radius = atom->radius[i];
     const double overlap = shape.overlap(atom->x[i], radius);
-    if (overlap <= 0.0 || !(atom->mask[i] & groupbit)) continue;
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (overlap <= 0.0) {
+      if (overlap > -neighbor->skin) desk_.tell_near(i, atom->type[i], wall_type_, radius);
+      continue;
+    }
     const Vec3 normal = shape.normal(atom->x[i]);
     const Touch touch{overlap,
                       normal,

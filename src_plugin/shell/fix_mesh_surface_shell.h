@@ -51,6 +51,8 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   const ShellModel& model() const { return *model_; }
   /// Center line of the sleeve, x and y [m].
   const Vec3& axis() const { return axis_; }
+  /// Between the platens [m].
+  HeightWindow window() const;
   double pressure_now() const { return pressure_.at(update->ntimestep); }
   SleeveSummary summary() const { return summary_of(*model_, window()); }
   /// What the supports of an end take along z, on the sleeve [N].
@@ -64,7 +66,6 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   void read_changeable(const Options& options);
   void place_supports();
 
-  HeightWindow window() const;
   void take_loads(bool advance_memory);
   void press_grains(bool advance_memory);
   template <bool rolling>

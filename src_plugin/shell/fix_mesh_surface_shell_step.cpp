@@ -80,7 +80,11 @@ void FixMeshSurfaceShell::press(bool advance_memory)
     const int i = contacts_.grain(n);
     const double radius = atom->radius[i];
     const Vec3 center = as_vec3(atom->x[i]);
-    if (!(atom->mask[i] & groupbit) || !contacts_.touches(*model_, n, center, radius)) continue;
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (!contacts_.touches(*model_, n, center, radius)) {
+      desk_.tell_near(i, atom->type[i], type_, radius);
+      continue;
+    }
     if (contacts_.is_behind(*model_))
       error->one(FLERR, ("grain " + std::to_string(atom->tag[i]) +
                          " is on the wrong side of facet " + std::to_string(contacts_.facet()) +

@@ -1,0 +1,167 @@
+#include "output/fix_output_sleeve.h"
+
+#include "core/input_error.h"
+#include "host/find_fix.h"
+#include "output/vtk_sleeve_writer.h"
+#include "shell/fix_mesh_surface_shell.h"
+
+#include <cstring>
+#include <numeric>
+
+namespace encased_column {
+
+const KeywordTable FixOutputSleeve::keywords{
+    {"sleeve", 1, "-", "ID of the `fix mesh/surface/shell`"},
+    {"every", 1, "steps", "one VTK file and one block of the profile every so many steps"},
+    {"rows", 1, "steps", "one row of the curves every so many steps (default 200)"},
+    {"folder", 1, "-", "folder of the VTK files, created if missing"},
+    {"name", 1, "-", "name of the series (default sleeve)"},
+    {"profile", 1, "-", "CSV file of the profile over the height (default profile.csv)"},
+    {"curves", 1, "-", "CSV file of the curves (default sleeve.csv)"},
+};
+
+FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg),
+      profile_("", {}),
+      curves_("", {})
+{
+  try {
+    const Options options = keywords.read(narg, arg);
+    sleeve_id_ = options.word("sleeve");
+    frame_every_ = options.integer("every", 1);
+    row_every_ = options.integer("rows", 1, 200);
+    nevery = static_cast<int>(std::gcd(frame_every_, row_every_));
+    const std::string folder = options.word("folder");
+    series_ = std::make_unique<VtkSeries>(folder, options.word("name", "sleeve"));
+    profile_ = CsvSeries(options.word("profile", "profile.csv"),
+                         {"step [-]", "axial_strain [-]", "z [m]", "radius [m]",
+                          "radial_displacement [m]", "hoop_strain [-]", "hoop_tension [N/m]"});
+    curves_ = CsvSeries(options.word("curves", "sleeve.csv"),
+                        {"step [-]", "axial_strain [-]", "pressure [Pa]", "hoop_tension_mean [N/m]",
+                         "hoop_tension_max [N/m]", "hoop_strain_mean [-]", "hoop_strain_max [-]",
+                         "axial_force_top_end [N]", "axial_force_bottom_end [N]",
+                         "friction_force [N]", "enclosed_volume [m^3]", "energy [J]"});
+    int usable = comm->me != 0 || series_->prepare();
+    MPI_Bcast(&usable, 1, MPI_INT, 0, world);
+    if (!usable)
+      throw InputError("'folder' must be a folder that can be written, found '" + folder +
+                       "', write another path or mend its rights");
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  restart_global = 1;
+}
+
+void FixOutputSleeve::init()
+{
+  try {
+    sleeve_ = find_fix<FixMeshSurfaceShell>(lmp, "sleeve", sleeve_id_, "fix mesh/surface/shell");
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  rings_.emplace(sleeve_->model());
+}
+
+// The host restarts at the step but, once a run begins, at time zero.
+void FixOutputSleeve::setup(int)
+{
+  if (time_of_restart_) time_before_ = *time_of_restart_ - update->get_cur_time();
+  time_of_restart_.reset();
+  if (!before_.empty()) return;
+  before_ = sleeve_->model().position();
+  height_before_ = height();
+  write_curves();
+  write_frame();
+}
+
+void FixOutputSleeve::end_of_step()
+{
+  if (update->ntimestep % row_every_ == 0) write_curves();
+  if (update->ntimestep % frame_every_ == 0) write_frame();
+}
+
+double FixOutputSleeve::height() const
+{
+  const HeightWindow window = sleeve_->window();
+  return window.high - window.low;
+}
+
+double FixOutputSleeve::time_now() const
+{
+  return time_of_restart_ ? *time_of_restart_ : time_before_ + update->get_cur_time();
+}
+
+void FixOutputSleeve::write_curves()
+{
+  const SleeveSummary s = sleeve_->summary();
+  const HeightWindow window = sleeve_->window();
+  const std::vector<double> row{static_cast<double>(update->ntimestep),
+                                axial_strain(),
+                                sleeve_->pressure_now(),
+                                s.hoop_tension,
+                                s.hoop_tension_max,
+                                s.hoop_strain,
+                                s.hoop_strain_max,
+                                sleeve_->axial_force(true),
+                                sleeve_->axial_force(false),
+                                sleeve_->friction_force(),
+                                sleeve_->enclosed_volume(window.low, window.high),
+                                sleeve_->stored_energy()};
+  if (comm->me == 0 && !curves_.append(row)) stop(curves_.path());
+}
+
+void FixOutputSleeve::write_frame()
+{
+  if (comm->me != 0) return;
+  std::vector<double> rows;
+  for (const ProfilePoint& p : rings_->profile(sleeve_->model(), before_, sleeve_->axis()))
+    for (const double number :
+         {static_cast<double>(update->ntimestep), axial_strain(), p.z, p.radius,
+          p.radius - p.before, (p.radius - p.before) / p.before, p.hoop_tension})
+      rows.push_back(number);
+  if (!profile_.append(rows)) stop(profile_.path());
+  const long step = static_cast<long>(update->ntimestep);
+  const std::string path = series_->path_of_step(step);
+  if (!write_sleeve(path, sleeve_->model(), before_, sleeve_->axis()) ||
+      !series_->list(time_now(), step))
+    stop(path);
+}
+
+void FixOutputSleeve::stop(const std::string& path) const
+{
+  error->one(FLERR, ("fix output/sleeve cannot write '" + path +
+                     "', free some space or mend the folder's rights")
+                        .c_str());
+}
+
+/// Time and height, the positions compared with, then the series as text.
+void FixOutputSleeve::write_restart(FILE* file)
+{
+  if (comm->me != 0) return;
+  const double head[3] = {time_now(), height_before_, static_cast<double>(before_.size())};
+  const std::string text = series_->saved();
+  const std::size_t bytes = sizeof(head) + before_.size() * sizeof(Vec3) + text.size() + 1;
+  const int size = static_cast<int>(bytes);
+  fwrite(&size, sizeof(int), 1, file);
+  fwrite(head, sizeof(double), 3, file);
+  fwrite(before_.data(), sizeof(Vec3), before_.size(), file);
+  fwrite(text.c_str(), 1, text.size() + 1, file);
+}
+
+void FixOutputSleeve::restart(char* buffer)
+{
+  double head[3];
+  std::memcpy(head, buffer, sizeof(head));
+  time_of_restart_ = head[0];
+  height_before_ = head[1];
+  before_.resize(static_cast<std::size_t>(head[2]));
+  std::memcpy(static_cast<void*>(before_.data()), buffer + sizeof(head),
+              before_.size() * sizeof(Vec3));
+  if (comm->me != 0) return;
+  series_->restore(buffer + sizeof(head) + before_.size() * sizeof(Vec3));
+  const double step = static_cast<double>(update->ntimestep);
+  if (!profile_.go_back_to(step)) stop(profile_.path());
+  if (!curves_.go_back_to(step)) stop(curves_.path());
+}
+
+}  // namespace encased_column

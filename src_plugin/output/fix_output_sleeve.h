@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/keyword_table.h"
+#include "host/host_types.h"
+#include "output/csv_series.h"
+#include "output/vtk_series.h"
+#include "shell/sleeve_profile.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+class FixMeshSurfaceShell;
+
+/// `fix output/sleeve`: a sleeve as a time series that ParaView opens, its profile over the height
+/// at the same times, and its curves.
+class FixOutputSleeve : public LAMMPS_NS::Fix {
+ public:
+  static const KeywordTable keywords;
+
+  FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override { return LAMMPS_NS::FixConst::END_OF_STEP; }
+  void init() override;
+  void setup(int) override;
+  void end_of_step() override;
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+
+ private:
+  double height() const;
+  double axial_strain() const { return 1.0 - height() / height_before_; }
+  double time_now() const;
+  void write_curves();
+  void write_frame();
+  void stop(const std::string& path) const;
+
+  std::string sleeve_id_;
+  FixMeshSurfaceShell* sleeve_ = nullptr;
+  long frame_every_ = 0, row_every_ = 0;
+  std::unique_ptr<VtkSeries> series_;
+  CsvSeries profile_, curves_;
+  std::optional<SleeveRings> rings_;
+  std::vector<Vec3> before_;  ///< positions that displacements count from [m]
+  double height_before_ = 0.0;
+  std::optional<double> time_of_restart_;  ///< until the first run after it [s]
+  double time_before_ = 0.0;               ///< of the runs before a restart [s]
+};
+
+}  // namespace encased_column
