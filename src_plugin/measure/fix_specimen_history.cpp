@@ -7,6 +7,7 @@
 #include "host/gravity.h"
 #include "host/rank_sums.h"
 #include "measure/coordination.h"
+#include "measure/love_weber.h"
 #include "measure/sphere_overlap.h"
 #include "output/whole_file.h"
 #include "servo/fix_servo_platen.h"
@@ -57,7 +58,9 @@ const char* const columns[] = {"step [-]",
                                "loss_rolling [J]",
                                "loss_dashpots [J]",
                                "loss_damping [J]",
-                               "energy_error [-]"};
+                               "energy_error [-]",
+                               "core_axial_stress [Pa]",
+                               "core_radial_stress [Pa]"};
 constexpr int column_count = sizeof(columns) / sizeof(columns[0]);
 
 }  // namespace
@@ -135,6 +138,7 @@ void FixSpecimenHistory::clear_sums()
 {
   contacts_of_.assign(atom->nlocal, 0);
   shared_volume_ = elastic_ = 0.0;
+  core_ = CoreStress();
 }
 
 void FixSpecimenHistory::add_contact(const Contact& contact)
@@ -145,8 +149,26 @@ void FixSpecimenHistory::add_contact(const Contact& contact)
   const double volume =
       contact.j < 0 ? sphere_cap_volume(radius, contact.length)
                     : sphere_overlap_volume(radius, atom->radius[contact.j], contact.length);
+  add_to_core(contact.i, contact.arm * contact.normal, contact.force);
+  if (contact.j >= 0 && contact.j < atom->nlocal)
+    add_to_core(contact.j, -(contact.length - contact.arm) * contact.normal, -contact.force);
   shared_volume_ += contact.share * volume;
   elastic_ += contact.share * contact.stored_energy;
+}
+
+// The middle third of the height: away from what the platens do to the stress.
+bool FixSpecimenHistory::is_in_core(int i) const
+{
+  const double low = bottom_->height(), high = top_->height(), third = (high - low) / 3.0;
+  return atom->x[i][2] > low + third && atom->x[i][2] < high - third;
+}
+
+void FixSpecimenHistory::add_to_core(int i, const Vec3& lever, const Vec3& force)
+{
+  if (!is_in_core(i)) return;
+  const Vec3 outward = Vec3(atom->x[i][0], atom->x[i][1], 0.0).normalized();
+  core_.axial += love_weber(force, lever, Vec3::UnitZ());
+  core_.radial += love_weber(force, lever, outward);
 }
 
 // The first row is the state before the first step. The motion weighed the grains when it was set
@@ -189,10 +211,13 @@ FixSpecimenHistory::Sums FixSpecimenHistory::sum_up()
     sums.kinetic +=
         0.5 * inertia *
         (as_vec3(atom->v[i]).squaredNorm() + 0.4 * r * r * as_vec3(atom->omega[i]).squaredNorm());
+    if (is_in_core(i)) sums.core_solid += sphere_volume(r);
     if (contacts_of_[i] == 0) sums.without_contact += 1.0;
     if (contacts_of_[i] == 1) sums.with_one_contact += 1.0;
     sums.ends += contacts_of_[i];
   }
+  sums.core_axial = core_.axial;
+  sums.core_radial = core_.radial;
   sums.shared = shared_volume_;
   sums.elastic = elastic_;
   sums.friction = contact_losses.friction;
@@ -250,6 +275,9 @@ void FixSpecimenHistory::take_sample()
   const double confining = now_.confining_stress;
   const double p = mean_stress(0.5 * (now_.stress_top + now_.stress_bottom), confining);
   const double rate = (top_->speed() + bottom_->speed()) / now_.height;
+  // Stress of the grains, spread over the room they take up with their share of the voids.
+  const double per_volume =
+      sums.core_solid > 0.0 ? sums.solid / now_.volume / sums.core_solid : 0.0;
   const ContactCount count{sums.grains, sums.ends, sums.without_contact, sums.with_one_contact};
   const Equilibrium& equilibrium = motion_->equilibrium();
   row_ = {static_cast<double>(update->ntimestep),
@@ -283,7 +311,9 @@ void FixSpecimenHistory::take_sample()
           energy_.rolling - energy_start_.rolling,
           energy_.dashpots - energy_start_.dashpots,
           energy_.damping - energy_start_.damping,
-          energy_error(energy_start_, energy_)};
+          energy_error(energy_start_, energy_),
+          sums.core_axial * per_volume,
+          sums.core_radial * per_volume};
 }
 
 void FixSpecimenHistory::take_reference()

@@ -41,10 +41,18 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   struct Sums {
     double grains, solid, shared, inertia, diameter, weight_height, mass;
     double elastic, kinetic, friction, rolling, dashpots;
+    double core_solid, core_axial, core_radial;
     double ends, without_contact, with_one_contact;
   };
 
+  /// Sums of Love-Weber products over the grains in the core [J].
+  struct CoreStress {
+    double axial = 0.0, radial = 0.0;
+  };
+
   void clear_sums();
+  bool is_in_core(int i) const;
+  void add_to_core(int i, const Vec3& lever, const Vec3& force);
   SpecimenState state() const;
   Sums sum_up();
   void check_grains(const Sums& sums);
@@ -63,6 +71,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   bool fresh_file_ = true;
   std::vector<int> contacts_of_;
   double shared_volume_ = 0.0, elastic_ = 0.0;
+  CoreStress core_;
 
   SpecimenState reference_, now_;
   EnergyAccount energy_start_, energy_;
