@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/vec3.h"
+#include "contact/linear_law.h"
 
 namespace encased_column {
 
@@ -26,7 +26,7 @@ inline double advance_rolling_torque(double shear_stiffness, double friction, do
   const double stiffness = shear_stiffness * r * r;
   const Vec3 turn = (spin - spin.dot(n) * n) * dt;
   const Vec3 trial = torque + stiffness * turn;
-  const double limit = friction * normal_force * r;
+  const double limit = friction * normal_force * r * slider_slack(dt > 0.0);
   const double size = trial.norm();
   if (size <= limit) {
     torque = trial;

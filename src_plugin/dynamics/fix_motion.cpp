@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <type_traits>
 
 namespace encased_column {
 
@@ -62,6 +64,7 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::
   time_integrate = 1;
   time_depend = 1;  // contacts remember step numbers
   restart_global = 1;
+  restart_peratom = 1;
   create_attribute = 1;
   vector_flag = 1;
   size_vector = 6;
@@ -69,12 +72,14 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::
   extvector = 0;
   grow_arrays(atom->nmax);
   atom->add_callback(0);
+  atom->add_callback(1);
   for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
 }
 
 FixMotion::~FixMotion()
 {
   atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
   memory->destroy(inertia_);
 }
 
@@ -122,7 +127,12 @@ void FixMotion::init()
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  if (fixed_step_ > 0.0) update->dt = fixed_step_;
+  if (!(rule_ == rule_now())) anew_ = true;
+  rule_ = rule_now();
+  if (fixed_step_ > 0.0)
+    update->dt = fixed_step_;
+  else if (!anew_ && stable_step_ > 0.0)
+    update->dt = stable_step_;
   gravity_ = gravity_of(lmp);
   setting_up_ = true;
 }
@@ -139,6 +149,12 @@ std::vector<int> FixMotion::types_of_grains() const
   return types;
 }
 
+bool FixMotion::Rule::operator==(const Rule& other) const
+{
+  return fixed_step == other.fixed_step && safety == other.safety &&
+         stiffest_material == other.stiffest_material && rolling == other.rolling;
+}
+
 bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
 {
   return setting_up_ || step % every_ == 0;
@@ -147,6 +163,7 @@ bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
 void FixMotion::setup_pre_force(int)
 {
   setting_up_ = true;
+  anew_ = max_over_ranks(anew_ ? 1.0 : 0.0, world) > 0.0;
   collect();
 }
 
@@ -178,10 +195,16 @@ void FixMotion::add_near_wall(int i, double normal_stiffness, double shear_stiff
   near_wall_[i] = std::max(near_wall_[i], stiffness);
 }
 
-// The host sets fixes up in the deck's order, and walls that stand behind this fix add their
-// contacts and forces only then: what `run 0` shows is taken here, what the first step uses is
-// taken at its start.
+// Where a deck's run ends, or a restart file is written, must not change the motion: a set-up alone
+// is no reason to look anew. The host sets fixes up in the deck's order, and walls that stand
+// behind this fix add their contacts and forces only then: what `run 0` shows is taken here, what
+// the first step uses is taken at its start.
 void FixMotion::setup(int)
+{
+  if (anew_) look_anew();
+}
+
+void FixMotion::look_anew()
 {
   set_inertia();
   weigh_equilibrium();
@@ -252,11 +275,8 @@ double FixMotion::slow_down(int i)
 
 void FixMotion::initial_integrate(int)
 {
-  if (setting_up_) {
-    set_inertia();
-    weigh_equilibrium();
-    setting_up_ = false;
-  }
+  if (anew_) look_anew();
+  anew_ = setting_up_ = false;
   const double dt = update->dt;
   double loss = 0.0;
   for (int i = 0; i < atom->nlocal; ++i) {
@@ -332,6 +352,7 @@ void FixMotion::copy_arrays(int from, int to, int)
 void FixMotion::set_arrays(int i)
 {
   inertia_[i] = atom->rmass[i];
+  anew_ = true;
 }
 
 int FixMotion::pack_exchange(int i, double* buffer)
@@ -346,19 +367,44 @@ int FixMotion::unpack_exchange(int i, double* buffer)
   return 1;
 }
 
+int FixMotion::pack_restart(int i, double* buffer)
+{
+  buffer[0] = size_restart(i);
+  buffer[1] = inertia_[i];
+  return size_restart(i);
+}
+
+// The host hands over each atom's record as a chain: the n-th block in it is ours.
+void FixMotion::unpack_restart(int i, int nth)
+{
+  const double* block = atom->extra[i];
+  for (int n = 0; n < nth; ++n) block += static_cast<int>(block[0]);
+  inertia_[i] = block[1];
+}
+
 void FixMotion::write_restart(FILE* file)
 {
+  static_assert(std::is_trivially_copyable_v<Saved>);
   save_pair_history(lmp);
   const double loss = damping_loss();
+  const bool anew = max_over_ranks(anew_ ? 1.0 : 0.0, world) > 0.0;
   if (comm->me != 0) return;
-  const int size = sizeof(double);
+  const Saved saved{loss, largest_factor_, stable_step_, equilibrium_, rule_, anew};
+  const int size = sizeof(Saved);
   fwrite(&size, sizeof(int), 1, file);
-  fwrite(&loss, sizeof(double), 1, file);
+  fwrite(&saved, sizeof(Saved), 1, file);
 }
 
 void FixMotion::restart(char* buffer)
 {
-  loss_ = comm->me == 0 ? *reinterpret_cast<double*>(buffer) : 0.0;
+  Saved saved;
+  std::memcpy(&saved, buffer, sizeof(Saved));
+  loss_ = comm->me == 0 ? saved.loss : 0.0;
+  largest_factor_ = saved.largest_factor;
+  stable_step_ = saved.stable_step;
+  equilibrium_ = saved.equilibrium;
+  rule_ = saved.rule;
+  anew_ = saved.anew;
 }
 
 }  // namespace encased_column

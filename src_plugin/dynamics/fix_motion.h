@@ -40,6 +40,10 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
   void set_arrays(int i) override;
   int pack_exchange(int i, double* buffer) override;
   int unpack_exchange(int i, double* buffer) override;
+  int pack_restart(int i, double* buffer) override;
+  void unpack_restart(int i, int nth) override;
+  int size_restart(int) override { return 2; }
+  int maxsize_restart() override { return 2; }
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
@@ -66,6 +70,23 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
   std::vector<int> types_of_grains() const;
   void set_inertia();
 
+  /// What inertia, apart from the contacts, and the weighing were found with.
+  struct Rule {
+    double fixed_step, safety, stiffest_material;
+    bool rolling;
+    bool operator==(const Rule& other) const;
+  };
+  /// The state in a restart file.
+  struct Saved {
+    double loss, largest_factor, stable_step;
+    Equilibrium equilibrium;
+    Rule rule;
+    bool anew;
+  };
+
+  Rule rule_now() const { return {fixed_step_, safety_, stiffest_material_, rolling_}; }
+  void look_anew();
+
   double damping_, safety_, fixed_step_;
   int every_;
   double free_speed_square_ = std::numeric_limits<double>::infinity();  ///< [m^2/s^2]
@@ -74,6 +95,10 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
       0.0;  ///< E* [Pa] of the contact of grains that needs the smallest step
   bool rolling_ = false;
   bool setting_up_ = false;
+  /// Grains or materials are new to this fix: it finds inertia and equilibrium when it is set up,
+  /// and does not wait for the next step that `every` divides.
+  bool anew_ = true;
+  Rule rule_{};
   double* inertia_ = nullptr;  ///< per grain [kg]
   std::vector<GrainStiffness> stiffness_;
   std::vector<double> near_wall_;  ///< decisive stiffness of a contact with a wall near by [N/m]

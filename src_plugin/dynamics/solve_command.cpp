@@ -21,6 +21,17 @@ const KeywordTable SolveCommand::keywords{
     {"least", 1, "steps", "at least so many are run (default 0)"},
 };
 
+namespace {
+
+/// True when a signal ends the run and its restart file is written: one that comes between two
+/// pieces of the run waits for the next step to write it.
+bool is_stopped()
+{
+  return LAMMPS_NS::SignalHandler::request_quit && !LAMMPS_NS::SignalHandler::request_write_restart;
+}
+
+}  // namespace
+
 void SolveCommand::command(int narg, char** arg)
 {
   std::string which;
@@ -68,7 +79,7 @@ void SolveCommand::command(int narg, char** arg)
   timer->barrier_start(TIME_LOOP);
   long done = 0;
   double ratio = 1.0;
-  while (done < max && !LAMMPS_NS::SignalHandler::request_quit) {
+  while (done < max && !is_stopped()) {
     // Pieces end where the motion has just weighed the grains.
     const long piece = std::min(every - static_cast<long>(update->ntimestep % every), max - done);
     update->integrate->run(static_cast<int>(piece));
