@@ -6,6 +6,7 @@
 #include "reading/grain_file.h"
 #include "report/check_table.h"
 #include "report/result_table.h"
+#include "report/theory_table.h"
 
 #include <vtkObject.h>
 #include <CLI/CLI.hpp>
@@ -54,10 +55,12 @@ void create_folder(const fs::path& folder)
 void write_tables(const Settings& settings, const std::vector<SetResult>& sets,
                   const Targets& targets)
 {
-  const std::string table = result_text(sets, targets), checks = check_text(sets);
+  const std::string table = result_text(sets, targets) + theory_text(sets);
+  const std::string checks = check_text(sets), theory = theory_csv(sets);
   create_folder(settings.output);
   write_text(settings.output / "table.csv", result_csv(sets, targets));
   write_text(settings.output / "table.txt", table);
+  if (!theory.empty()) write_text(settings.output / "theory.csv", theory);
   write_text(settings.output / "checks.csv", check_csv(sets));
   write_text(settings.output / "checks.txt", checks);
   std::cout << table << '\n' << checks << std::flush;
@@ -86,7 +89,7 @@ void run(const Settings& settings, std::vector<std::string> arguments)
 {
   const CaseRuns found = read_case_runs(settings.folders);
   const Targets targets(settings.targets);
-  const std::vector<SetResult> sets = evaluate(found.runs, settings.platen);
+  const std::vector<SetResult> sets = evaluate(found.runs, settings.platen, targets.strip_limit());
   if (!settings.pictures_only) {
     for (const std::string& sentence : found.left_out) std::cerr << "note: " << sentence << '\n';
     write_tables(settings, sets, targets);
