@@ -1,6 +1,8 @@
 #include "core/input_error.h"
 #include "drawing/display.h"
 #include "drawing/run_figures.h"
+#include "drawing/sleeve_figures.h"
+#include "drawing/sleeve_picture.h"
 #include "drawing/specimen_picture.h"
 #include "drawing/triaxial_figures.h"
 #include "reading/grain_file.h"
@@ -73,6 +75,7 @@ void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
   create_folder(folder);
   draw_triaxial_figures(folder, sets, targets);
   draw_run_figures(folder, sets);
+  draw_sleeve_figures(folder, sets, targets);
   for (const SetResult& set : sets)
     for (const TestResult& test : set.tests) {
       const CaseRun& run = *test.run;
@@ -81,6 +84,11 @@ void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
       else
         std::cerr << "note: no picture of the specimen of '" << run.id
                   << "': its run wrote no grains/grains.pvd\n";
+      if (const auto frame = last_sleeve_files(run.folder))
+        draw_sleeve(folder / ("hoop_tension_" + run.id), *frame, run.title);
+      else if (run.encased())
+        std::cerr << "note: no picture of the sleeve of '" << run.id
+                  << "': its run wrote no sleeve/sleeve.pvd with grains at the same time\n";
     }
   std::cout << "\nPictures: " << folder.string() << '\n';
 }
