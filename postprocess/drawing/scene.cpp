@@ -70,11 +70,12 @@ vtkSmartPointer<vtkColorTransferFunction> colors_for(vtkDataArray* values)
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
     sorted.push_back(values->GetTuple1(i));
   std::sort(sorted.begin(), sorted.end());
-  const double low = std::min(0.0, sorted[sorted.size() / 200]);
+  double low = std::min(0.0, sorted[sorted.size() / 200]);
   const double high = std::max(0.0, sorted[sorted.size() * 199 / 200]);
+  if (low > -0.05 * high) low = 0.0;
   if (!(high > low)) return viridis(0.0, 1.0);
-  const double step = round_step(high - low, bar_parts);
-  return viridis(step * std::floor(low / step + 1e-9), step * std::ceil(high / step - 1e-9));
+  const RoundRange range = round_range(low, high, bar_parts);
+  return viridis(range.low, range.high);
 }
 
 void add_color_bar(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title)

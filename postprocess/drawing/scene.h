@@ -14,8 +14,9 @@ namespace encased_column {
 /// Viridis from `low` to `high` > low.
 vtkSmartPointer<vtkColorTransferFunction> viridis(double low, double high);
 
-/// Colors for `values`, from zero or the value 1 in 200 falls below, if that is negative, to the
-/// value 1 in 200 exceeds, both rounded away from zero: a few must not hide what all others do.
+/// Colors for `values`, from zero to the value 1 in 200 exceeds: a few must not hide what all
+/// others do. Where 1 in 200 falls below zero by more than 5 % of that, from there on. Both ends
+/// are rounded away from zero.
 vtkSmartPointer<vtkColorTransferFunction> colors_for(vtkDataArray* values);
 
 /// A bar with the colors of `map` at the right edge, titled with quantity and unit.

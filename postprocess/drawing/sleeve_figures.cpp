@@ -33,8 +33,8 @@ Panel radial_strain(const NamedTest& named, const Targets& targets)
 {
   const CaseRun& run = *named.test->run;
   Panel panel{"Radial expansion at heights from the bottom, " + named.name,
-              strain_axis,
-              {"radial strain [%]"},
+              {axial_strain_title, false, 0.0, end_of_study + 0.5},  // room for the marks
+              {"radial strain [%]", false, {}, 20.0},
               {}};
   std::vector<Series> marks;
   std::size_t color = 0;
@@ -47,7 +47,7 @@ Panel radial_strain(const NamedTest& named, const Targets& targets)
         run.set(), std::string("radial strain at 0.") + height + "H at the end of the test",
         confining_condition(run.confining_stress));
     if (published.model)
-      marks.push_back({"study, end, " + name,
+      marks.push_back({"study's model, " + name,
                        {end_of_study},
                        {*published.model},
                        palette(color),
@@ -72,7 +72,8 @@ Panel platens(const NamedTest& named, const std::vector<SetResult>& sets)
                           scaled(history.numbers("deviatoric_stress_bottom [Pa]"), 1e-3),
                           palette(0)});
   Series theory{"Kp (σ₃ + T/r) − σ₃", {}, {}, black, Stroke::dashed};
-  for (double at = 0.005; at <= test.axial_strain.back(); at += 0.005) {
+  for (int i = 1; 0.005 * i < test.axial_strain.back() + 1e-3; ++i) {
+    const double at = 0.005 * i;
     const auto state = sleeve_state(test, sets, at);
     if (!state || !state->q_theory) continue;
     theory.x.push_back(100.0 * at);
@@ -104,8 +105,10 @@ Panel hoop_tension(const NamedTest& named, const std::optional<StripLimit>& limi
 {
   const SleeveRecord& sleeve = *named.test->sleeve;
   const std::vector<double> strain = percent(sleeve.axial_strain);
-  Panel panel{
-      "Hoop tension of the sleeve, " + named.name, strain_axis, {"T [kN/m]", false, 0.0}, {}};
+  Panel panel{"Hoop tension of the sleeve, " + named.name,
+              strain_axis,
+              {"hoop tension [kN/m]", false, 0.0},
+              {}};
   panel.series.push_back({"largest", strain, scaled(sleeve.hoop_tension_max, 1e-3), palette(1)});
   panel.series.push_back({"mean", strain, scaled(sleeve.hoop_tension_mean, 1e-3), palette(0)});
   if (limit)

@@ -93,8 +93,8 @@ void add_sleeve(vtkRenderer* renderer, vtkPolyData* sleeve, const Quarter& quart
   mapper->UseLookupTableScalarRangeOn();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(0.35);
-  actor->GetProperty()->SetDiffuse(0.65);
+  actor->GetProperty()->SetAmbient(0.5);
+  actor->GetProperty()->SetDiffuse(0.5);
   renderer->AddActor(actor);
 }
 
