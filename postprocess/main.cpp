@@ -1,11 +1,14 @@
 #include "core/input_error.h"
 #include "drawing/display.h"
 #include "drawing/run_figures.h"
+#include "drawing/sleeve_figures.h"
+#include "drawing/sleeve_picture.h"
 #include "drawing/specimen_picture.h"
 #include "drawing/triaxial_figures.h"
 #include "reading/grain_file.h"
 #include "report/check_table.h"
 #include "report/result_table.h"
+#include "report/theory_table.h"
 
 #include <vtkObject.h>
 #include <CLI/CLI.hpp>
@@ -54,10 +57,12 @@ void create_folder(const fs::path& folder)
 void write_tables(const Settings& settings, const std::vector<SetResult>& sets,
                   const Targets& targets)
 {
-  const std::string table = result_text(sets, targets), checks = check_text(sets);
+  const std::string table = result_text(sets, targets) + theory_text(sets);
+  const std::string checks = check_text(sets), theory = theory_csv(sets);
   create_folder(settings.output);
   write_text(settings.output / "table.csv", result_csv(sets, targets));
   write_text(settings.output / "table.txt", table);
+  if (!theory.empty()) write_text(settings.output / "theory.csv", theory);
   write_text(settings.output / "checks.csv", check_csv(sets));
   write_text(settings.output / "checks.txt", checks);
   std::cout << table << '\n' << checks << std::flush;
@@ -70,6 +75,7 @@ void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
   create_folder(folder);
   draw_triaxial_figures(folder, sets, targets);
   draw_run_figures(folder, sets);
+  draw_sleeve_figures(folder, sets, targets);
   for (const SetResult& set : sets)
     for (const TestResult& test : set.tests) {
       const CaseRun& run = *test.run;
@@ -78,6 +84,11 @@ void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
       else
         std::cerr << "note: no picture of the specimen of '" << run.id
                   << "': its run wrote no grains/grains.pvd\n";
+      if (const auto frame = last_sleeve_files(run.folder))
+        draw_sleeve(folder / ("hoop_tension_" + run.id), *frame, run.title);
+      else if (run.encased())
+        std::cerr << "note: no picture of the sleeve of '" << run.id
+                  << "': its run wrote no sleeve/sleeve.pvd with grains at the same time\n";
     }
   std::cout << "\nPictures: " << folder.string() << '\n';
 }
@@ -86,7 +97,7 @@ void run(const Settings& settings, std::vector<std::string> arguments)
 {
   const CaseRuns found = read_case_runs(settings.folders);
   const Targets targets(settings.targets);
-  const std::vector<SetResult> sets = evaluate(found.runs, settings.platen);
+  const std::vector<SetResult> sets = evaluate(found.runs, settings.platen, targets.strip_limit());
   if (!settings.pictures_only) {
     for (const std::string& sentence : found.left_out) std::cerr << "note: " << sentence << '\n';
     write_tables(settings, sets, targets);

@@ -81,12 +81,14 @@ std::array<double, 2> range(const Axis& axis, const std::vector<Series>& all,
   // A bound gives way to what lies beyond it, but not to noise around it.
   const double noise = 0.02 * (high - low);
   if (axis.low && low > *axis.low - noise) low = *axis.low;
-  if (axis.high && high < *axis.high + noise) high = *axis.high;
+  const bool bounded = axis.high && high < *axis.high + noise;
+  if (bounded) high = *axis.high;
   if (axis.logarithmic) return {std::floor(std::log10(low)), std::ceil(std::log10(high))};
 
   const double span = high > low ? high - low : std::max(std::abs(high), 1.0);
   const double step = round_step(span, 10);
-  return {step * std::floor(low / step + 1e-9), step * std::ceil((low + span) / step - 1e-9)};
+  const double rounded = step * std::ceil((low + span) / step - 1e-9);
+  return {step * std::floor(low / step + 1e-9), bounded ? high : rounded};
 }
 
 void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& limits)

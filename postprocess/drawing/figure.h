@@ -31,8 +31,8 @@ struct Series {
 struct Axis {
   std::string title;  ///< with the unit in brackets
   bool logarithmic = false;
-  std::optional<double> low = std::nullopt;  ///< default: what the series need
-  std::optional<double> high = std::nullopt;
+  std::optional<double> low = std::nullopt;   ///< default: what the series need
+  std::optional<double> high = std::nullopt;  ///< kept as it is, not rounded to a step
 };
 
 /// One chart: its series over common axes, the legend beside them.

@@ -15,4 +15,21 @@ inline double round_step(double span, int most)
   return 10.0 * power;
 }
 
+/// From `low` to `high` in whole steps.
+struct RoundRange {
+  double low, high;
+};
+
+/// The range around [`low`, `high`], high > low, in whole steps from a multiple of the step on, so
+/// that round_step() of its own span divides it without a rest.
+inline RoundRange round_range(double low, double high, int most)
+{
+  RoundRange range{low, high};
+  for (double step = 0.0; step < round_step(range.high - range.low, most);) {
+    step = round_step(range.high - range.low, most);
+    range = {step * std::floor(low / step + 1e-9), step * std::ceil(high / step - 1e-9)};
+  }
+  return range;
+}
+
 }  // namespace encased_column

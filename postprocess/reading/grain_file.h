@@ -15,4 +15,13 @@ struct GrainFile {
 /// InputError if the collection or the last file it names cannot be read.
 std::optional<GrainFile> last_grain_file(const std::filesystem::path& folder);
 
+/// The sleeve and the grains in it at the same time.
+struct SleeveFiles {
+  std::filesystem::path sleeve, grains;
+};
+
+/// The last time of which `folder` holds both sleeve/sleeve.pvd and grains/grains.pvd; nothing if
+/// there is none, as in plain runs. Throws InputError if a collection cannot be read.
+std::optional<SleeveFiles> last_sleeve_files(const std::filesystem::path& folder);
+
 }  // namespace encased_column

@@ -50,6 +50,19 @@ std::optional<Strength> Targets::strength(const std::string& set, bool laborator
   return Strength{*phi * pi / 180.0, *c * 1e3};
 }
 
+std::optional<StripLimit> Targets::strip_limit() const
+{
+  std::optional<StripLimit> limit;
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    if (table_.words("set")[row] != "geotextile") continue;
+    const std::string& condition = table_.words("condition")[row];  // "8 % elongation"
+    const double strain = 0.01 * read_number("condition", condition.substr(0, condition.find(' ')));
+    const double tension = 1e3 * read_number("value_test", table_.words("value_test")[row]);
+    if (!limit || strain > limit->strain) limit = StripLimit{tension, strain};
+  }
+  return limit;
+}
+
 std::string confining_condition(double confining_stress)
 {
   return "sigma3=" + in_words(confining_stress / 1e3) + " kPa";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/mohr_coulomb.h"
+#include "analysis/sleeve_checks.h"
 #include "reading/text_table.h"
 
 #include <filesystem>
@@ -27,6 +28,9 @@ class Targets {
 
   /// The published strength of `set`, of the laboratory or of the model.
   std::optional<Strength> strength(const std::string& set, bool laboratory) const;
+
+  /// The last step of the strip test of the geotextile.
+  std::optional<StripLimit> strip_limit() const;
 
  private:
   TextTable table_;

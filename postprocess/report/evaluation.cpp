@@ -2,6 +2,7 @@
 
 #include "core/input_error.h"
 #include "reading/grain_file.h"
+#include "reading/sleeve_files.h"
 
 namespace encased_column {
 
@@ -36,7 +37,7 @@ ShearRecord shear_record(const CaseRun& run)
   return record;
 }
 
-TestResult evaluate_run(const CaseRun& run, Platen platen)
+TestResult evaluate_run(const CaseRun& run, Platen platen, const std::optional<StripLimit>& strip)
 {
   TestResult result;
   result.run = &run;
@@ -56,6 +57,12 @@ TestResult evaluate_run(const CaseRun& run, Platen platen)
       result.peak.reported);
   result.checks = run_checks(result.record, !run.encased());
   if (const auto grains = last_grain_file(run.folder)) result.grains = grains->grains;
+  if (!run.encased()) return result;
+
+  result.sleeve = read_sleeve_record(run.folder);
+  result.profiles = read_sleeve_profiles(run.folder);
+  if (result.sleeve && strip)
+    for (const Check& check : sleeve_checks(*result.sleeve, *strip)) result.checks.push_back(check);
   return result;
 }
 
@@ -83,14 +90,15 @@ Platen platen_of(const std::string& word)
                    "', write for example '--platen bottom'");
 }
 
-std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen)
+std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen,
+                                const std::optional<StripLimit>& strip)
 {
   std::vector<SetResult> sets;
   for (const CaseRun& run : runs) {
     if (sets.empty() || sets.back().set != run.set()) sets.push_back({run.set(), {}, {}});
     const Platen usual = run.encased() ? Platen::bottom : Platen::mean;
     try {
-      sets.back().tests.push_back(evaluate_run(run, platen.value_or(usual)));
+      sets.back().tests.push_back(evaluate_run(run, platen.value_or(usual), strip));
     } catch (const InputError& problem) {
       throw InputError("run '" + run.id + "': " + problem.what());
     }

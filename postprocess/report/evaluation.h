@@ -2,7 +2,8 @@
 
 #include "analysis/mohr_coulomb.h"
 #include "analysis/peak_strength.h"
-#include "analysis/run_checks.h"
+#include "analysis/sleeve_checks.h"
+#include "analysis/sleeve_profile.h"
 #include "reading/case_run.h"
 
 #include <optional>
@@ -32,6 +33,8 @@ struct TestResult {
   ShearRecord record;
   std::vector<Check> checks;
   std::optional<long> grains;
+  std::optional<SleeveRecord> sleeve;   ///< of encased tests that wrote one
+  std::vector<SleeveProfile> profiles;  ///< the same
 };
 
 /// What the runs of one set gave together.
@@ -44,7 +47,9 @@ struct SetResult {
 
 /// Evaluates all runs, set by set. Without `platen`, plain tests use the mean of both platens and
 /// encased ones the bottom: the sleeve takes load, and the study read its base wall. The results
-/// refer to `runs`. Throws InputError, naming the run, where a history cannot be evaluated.
-std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen);
+/// refer to `runs`. The sleeve is checked against `strip` if there is one. Throws InputError,
+/// naming the run, where a history cannot be evaluated.
+std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen,
+                                const std::optional<StripLimit>& strip);
 
 }  // namespace encased_column

@@ -3,6 +3,7 @@
 #include "core/constants.h"
 #include "core/input_error.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace encased_column {
@@ -57,10 +58,32 @@ void add_radial_strains(const TestResult& test, const Targets& targets,
   for (const char* height : {"25", "50", "75"}) {
     const std::string quantity =
         std::string("radial strain at 0.") + height + "H at the end of the test";
+    const std::string sign = ", from the bottom, expansion +";
     const std::string column = std::string("radial_strain_") + height + " [-]";
-    rows.push_back({run.id, quantity, "%", 100.0 * run.history.numbers(column).back(), 2,
+    // Histories count the radius getting shorter as positive, the study its expansion.
+    rows.push_back({run.id, quantity + sign, "%", -100.0 * run.history.numbers(column).back(), 2,
                     targets.find(run.set(), quantity, confining_condition(run.confining_stress))});
   }
+}
+
+void add_sleeve(const TestResult& test, std::vector<ResultRow>& rows)
+{
+  if (!test.sleeve) return;
+  const auto largest = [](const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+  };
+  rows.push_back({test.run->id,
+                  "hoop tension, largest",
+                  "kN/m",
+                  largest(test.sleeve->hoop_tension_max) / 1e3,
+                  2,
+                  {}});
+  rows.push_back({test.run->id,
+                  "hoop tension, largest mean",
+                  "kN/m",
+                  largest(test.sleeve->hoop_tension_mean) / 1e3,
+                  2,
+                  {}});
 }
 
 }  // namespace
@@ -91,7 +114,10 @@ std::vector<ResultRow> result_rows(const SetResult& set, const Targets& targets)
       rows.push_back({test.run->id, "number of grains", "-", static_cast<double>(*test.grains), 0,
                       targets.find(set.set, "number of particles", "")});
   if (set.tests.front().run->encased())
-    for (const TestResult& test : set.tests) add_radial_strains(test, targets, rows);
+    for (const TestResult& test : set.tests) {
+      add_radial_strains(test, targets, rows);
+      add_sleeve(test, rows);
+    }
   return rows;
 }
 

@@ -20,7 +20,8 @@ struct ResultRow {
 };
 
 /// The rows of `set`: E50 and peak q of each test, friction angle and cohesion of all, porosities
-/// and numbers of grains, and for encased tests the radial strains at the end.
+/// and numbers of grains, and for encased tests the radial strains at the end and
+/// the largest hoop tension.
 std::vector<ResultRow> result_rows(const SetResult& set, const Targets& targets);
 
 /// What a reader of the rows must know: peaks that are averages, peaks at the end, no line.

@@ -15,6 +15,27 @@ TEST(RoundStep, IsOneTwoOrFiveTimesAPowerOfTen)
   EXPECT_DOUBLE_EQ(round_step(0.0041, 5), 0.001);
 }
 
+// 22 in steps of 2 is more than ten parts: the steps grow to 5, and the range with them.
+TEST(RoundRange, GrowsItsStepWhereRoundingAddsAPartTooMany)
+{
+  const RoundRange range = round_range(-0.1, 19.5, 10);
+  EXPECT_DOUBLE_EQ(range.low, -5.0);
+  EXPECT_DOUBLE_EQ(range.high, 20.0);
+}
+
+TEST(RoundRange, HoldsTheValuesInWholeStepsOfItsOwnSpan)
+{
+  for (double high = 1e-3; high < 1e4; high *= 1.23)
+    for (const double low : {0.0, -0.013 * high, -0.7 * high}) {
+      const RoundRange range = round_range(low, high, 10);
+      const double step = round_step(range.high - range.low, 10);
+      EXPECT_LE(range.low, low + 1e-8 * step);
+      EXPECT_GE(range.high, high - 1e-8 * step);
+      EXPECT_NEAR(std::remainder(range.low, step), 0.0, 1e-8 * step) << low << ' ' << high;
+      EXPECT_NEAR(std::remainder(range.high, step), 0.0, 1e-8 * step) << low << ' ' << high;
+    }
+}
+
 // Whatever the span: enough, as the step fits it in the parts allowed, and no more than needed, as
 // the next finer round step does not.
 TEST(RoundStep, IsTheSmallestThatKeepsToThePartsAllowed)

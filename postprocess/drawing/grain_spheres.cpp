@@ -1,0 +1,93 @@
+#include "drawing/grain_spheres.h"
+
+#include "core/input_error.h"
+
+#include <vtkActor.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkDoubleArray.h>
+#include <vtkGlyph3DMapper.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <array>
+#include <cmath>
+
+namespace encased_column {
+
+vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+vtkDataArray* array_of(vtkDataSetAttributes* arrays, const std::string& name,
+                       const std::string& unit, int components, const std::filesystem::path& file)
+{
+  for (const std::string& full : {name, name + " [" + unit + "]"}) {
+    vtkDataArray* array = arrays->GetArray(full.c_str());
+    if (array && array->GetNumberOfComponents() == components) return array;
+  }
+  throw InputError("'" + file.string() + "' must have an array '" + name + "' of " +
+                   std::to_string(components) +
+                   " component(s), found none, write the file with the same version");
+}
+
+vtkSmartPointer<vtkPolyData> grain_spheres(const std::filesystem::path& file)
+{
+  const vtkSmartPointer<vtkPolyData> grains = read_poly_data(file);
+  vtkDataArray* radius = array_of(grains->GetPointData(), "radius", "m", 1, file);
+  vtkDataArray* displacement = array_of(grains->GetPointData(), "displacement", "m", 3, file);
+
+  vtkNew<vtkDoubleArray> sphere_radius, moved;
+  sphere_radius->SetName("sphere_radius");
+  moved->SetName("moved");
+  for (vtkIdType i = 0; i < grains->GetNumberOfPoints(); ++i) {
+    std::array<double, 3> u{};
+    displacement->GetTuple(i, u.data());
+    sphere_radius->InsertNextValue(radius->GetTuple1(i));
+    moved->InsertNextValue(1e3 * std::hypot(u[0], u[1], u[2]));
+  }
+  auto spheres = vtkSmartPointer<vtkPolyData>::New();
+  spheres->SetPoints(grains->GetPoints());
+  spheres->GetPointData()->AddArray(sphere_radius);
+  spheres->GetPointData()->SetScalars(moved);
+  return spheres;
+}
+
+void add_spheres(vtkRenderer* renderer, vtkPolyData* spheres, vtkColorTransferFunction* map)
+{
+  // Small in the picture where there are many: coarser spheres look the same and draw faster.
+  const int parts = spheres->GetNumberOfPoints() < 20000 ? 12 : 8;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetPhiResolution(parts);
+  sphere->SetThetaResolution(2 * parts);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(spheres);
+  mapper->SetSourceConnection(sphere->GetOutputPort());
+  mapper->SetScaleArray("sphere_radius");
+  mapper->SetScaleModeToScaleByMagnitude();
+  if (map) {
+    mapper->SetLookupTable(map);
+    mapper->SetColorModeToMapScalars();
+    mapper->UseLookupTableScalarRangeOn();
+  } else
+    mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.82, 0.80, 0.77);
+  actor->GetProperty()->SetAmbient(0.25);
+  actor->GetProperty()->SetDiffuse(0.75);
+  actor->GetProperty()->SetSpecular(0.15);
+  actor->GetProperty()->SetSpecularPower(20.0);
+  renderer->AddActor(actor);
+}
+
+}  // namespace encased_column

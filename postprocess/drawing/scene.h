@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <string>
+
+class vtkColorTransferFunction;
+class vtkDataArray;
+class vtkRenderer;
+
+namespace encased_column {
+
+/// Viridis from `low` to `high` > low.
+vtkSmartPointer<vtkColorTransferFunction> viridis(double low, double high);
+
+/// Colors for `values`, from zero to the value 1 in 200 exceeds: a few must not hide what all
+/// others do. Where 1 in 200 falls below zero by more than 5 % of that, from there on. Both ends
+/// are rounded away from zero.
+vtkSmartPointer<vtkColorTransferFunction> colors_for(vtkDataArray* values);
+
+/// A bar with the colors of `map` at the right edge, titled with quantity and unit.
+void add_color_bar(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title);
+
+/// One line at the upper edge.
+void add_caption(vtkRenderer* renderer, const std::string& caption);
+
+/// Draws what `renderer` holds into `file`.png, 1200 x 1500 px, seen from the direction `azimuth`
+/// [deg] around z (0: from +x, 90: from +y) and a little from above; z points up, the bodies stand
+/// left of the middle, where the bar leaves room.
+void draw_scene(const std::filesystem::path& file, vtkRenderer* renderer, double azimuth);
+
+}  // namespace encased_column

@@ -1,0 +1,142 @@
+#include "drawing/sleeve_figures.h"
+
+#include "drawing/figure.h"
+#include "drawing/labels.h"
+#include "report/sleeve_theory.h"
+#include "report/text_layout.h"
+
+namespace encased_column {
+
+namespace {
+
+const Axis strain_axis{axial_strain_title, false, 0.0, {}};
+constexpr double end_of_study = 20.0;     // % axial strain (section 2.1.3)
+constexpr double frame_tolerance = 0.01;  // of axial strain: how far a frame may be off
+
+struct NamedTest {
+  const TestResult* test;
+  std::string name;
+};
+
+/// The tests with a sleeve, called by their confining stress.
+std::vector<NamedTest> encased_tests(const std::vector<SetResult>& sets)
+{
+  std::vector<NamedTest> tests;
+  const auto labels = test_labels(sets);
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (std::size_t t = 0; t < sets[s].tests.size(); ++t)
+      if (sets[s].tests[t].run->encased()) tests.push_back({&sets[s].tests[t], labels[s][t]});
+  return tests;
+}
+
+Panel radial_strain(const NamedTest& named, const Targets& targets)
+{
+  const CaseRun& run = *named.test->run;
+  Panel panel{"Radial expansion at heights from the bottom, " + named.name,
+              {axial_strain_title, false, 0.0, end_of_study + 0.5},  // room for the marks
+              {"radial strain [%]", false, {}, 20.0},
+              {}};
+  std::vector<Series> marks;
+  std::size_t color = 0;
+  for (const char* height : {"75", "50", "25"}) {
+    const std::string name = std::string("0.") + height + " H";
+    const auto shortening = run.history.numbers(std::string("radial_strain_") + height + " [-]");
+    panel.series.push_back(
+        {name, percent(named.test->axial_strain), scaled(shortening, -100.0), palette(color)});
+    const auto published = targets.find(
+        run.set(), std::string("radial strain at 0.") + height + "H at the end of the test",
+        confining_condition(run.confining_stress));
+    if (published.model)
+      marks.push_back({"study's model, " + name,
+                       {end_of_study},
+                       {*published.model},
+                       palette(color),
+                       Stroke::none,
+                       true});
+    ++color;
+  }
+  panel.series.insert(panel.series.end(), marks.begin(), marks.end());
+  return panel;
+}
+
+Panel platens(const NamedTest& named, const std::vector<SetResult>& sets)
+{
+  const TestResult& test = *named.test;
+  Panel panel{
+      "Deviatoric stress at both platens, " + named.name, strain_axis, {"q [kPa]", false, 0.0}, {}};
+  const std::vector<double> strain = percent(test.axial_strain);
+  const TextTable& history = test.run->history;
+  panel.series.push_back({"top platen", strain,
+                          scaled(history.numbers("deviatoric_stress_top [Pa]"), 1e-3), palette(1)});
+  panel.series.push_back({"bottom platen", strain,
+                          scaled(history.numbers("deviatoric_stress_bottom [Pa]"), 1e-3),
+                          palette(0)});
+  Series theory{"Kp (σ₃ + T/r) − σ₃", {}, {}, black, Stroke::dashed};
+  for (int i = 1; 0.005 * i < test.axial_strain.back() + 1e-3; ++i) {
+    const double at = 0.005 * i;
+    const auto state = sleeve_state(test, sets, at);
+    if (!state || !state->q_theory) continue;
+    theory.x.push_back(100.0 * at);
+    theory.y.push_back(*state->q_theory / 1e3);
+  }
+  if (theory.x.size() > 1) panel.series.push_back(theory);
+  return panel;
+}
+
+Panel radial_profile(const NamedTest& named)
+{
+  Panel panel{"Radial displacement along the height, " + named.name,
+              {"radial displacement [mm], expansion positive"},
+              {"height [mm]", false, 0.0},
+              {}};
+  std::vector<double> strains;
+  for (const SleeveProfile& profile : named.test->profiles) strains.push_back(profile.axial_strain);
+  std::size_t color = 0;
+  for (const std::size_t i : nearest_places(strains, {0.05, 0.10, 0.15, 0.20}, frame_tolerance)) {
+    const SleeveProfile& profile = named.test->profiles[i];
+    panel.series.push_back({"ε₁ = " + fixed(100.0 * profile.axial_strain, 1) + " %",
+                            scaled(profile.radial_displacement, 1e3), scaled(profile.height, 1e3),
+                            palette(color++)});
+  }
+  return panel;
+}
+
+Panel hoop_tension(const NamedTest& named, const std::optional<StripLimit>& limit)
+{
+  const SleeveRecord& sleeve = *named.test->sleeve;
+  const std::vector<double> strain = percent(sleeve.axial_strain);
+  Panel panel{"Hoop tension of the sleeve, " + named.name,
+              strain_axis,
+              {"hoop tension [kN/m]", false, 0.0},
+              {}};
+  panel.series.push_back({"largest", strain, scaled(sleeve.hoop_tension_max, 1e-3), palette(1)});
+  panel.series.push_back({"mean", strain, scaled(sleeve.hoop_tension_mean, 1e-3), palette(0)});
+  if (limit)
+    panel.series.push_back({"strip test, " + fixed(100.0 * limit->strain, 0) + " %",
+                            {0.0, strain.back()},
+                            {limit->tension / 1e3, limit->tension / 1e3},
+                            grey,
+                            Stroke::dash_dotted});
+  return panel;
+}
+
+}  // namespace
+
+void draw_sleeve_figures(const std::filesystem::path& folder, const std::vector<SetResult>& sets,
+                         const Targets& targets)
+{
+  std::vector<Panel> strains, stresses, profiles, tensions;
+  for (const NamedTest& named : encased_tests(sets)) {
+    strains.push_back(radial_strain(named, targets));
+    stresses.push_back(platens(named, sets));
+    if (named.test->sleeve) tensions.push_back(hoop_tension(named, targets.strip_limit()));
+    const Panel profile = radial_profile(named);
+    if (!profile.series.empty()) profiles.push_back(profile);
+  }
+  if (!strains.empty()) draw_figure(folder / "radial_strain", strains);
+  if (!stresses.empty()) draw_figure(folder / "platens", stresses);
+  if (!profiles.empty()) draw_figure(folder / "radial_profile", profiles);
+  if (!tensions.empty()) draw_figure(folder / "hoop_tension", tensions);
+}
+
+}  // namespace encased_column

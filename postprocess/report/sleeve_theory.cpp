@@ -1,0 +1,89 @@
+#include "report/sleeve_theory.h"
+
+#include "analysis/encasement.h"
+
+#include <cmath>
+
+namespace encased_column {
+
+namespace {
+
+constexpr double reached_within = 1e-3;  // of axial strain: a last sample may miss the round number
+
+bool reaches(const std::vector<double>& strains, double strain)
+{
+  return strains.front() < strain + reached_within && strains.back() > strain - reached_within;
+}
+
+double mean_at(double strain, const std::vector<double>& strains, const std::vector<double>& values)
+{
+  const double half_width = 0.5 * peak_averaging_width;
+  return SampledCurve(strains, values).mean(strain - half_width, strain + half_width);
+}
+
+/// Radius [m] of the sleeve free of stress; where the deck does not say, that at the start of
+/// shear.
+double initial_radius(const CaseRun& run)
+{
+  const auto found = run.variables.find("radius");
+  return found != run.variables.end() ? found->second : run.history.numbers("radius [m]").front();
+}
+
+/// Mean of the friction angles [rad] the plain tests mobilise, for tests of `resolution`.
+std::optional<double> mobilised_angle(const std::vector<SetResult>& sets,
+                                      const std::string& resolution, double strain)
+{
+  double sum = 0.0;
+  int count = 0;
+  for (const SetResult& set : sets)
+    for (const TestResult& test : set.tests) {
+      if (test.run->encased() || test.run->resolution != resolution) continue;
+      if (!reaches(test.axial_strain, strain)) continue;
+      const double q = mean_at(strain, test.axial_strain, test.deviatoric_stress);
+      const double sigma3 = mean_at(strain, test.axial_strain, test.record.confining_stress);
+      sum += std::asin(mobilised_sine(q, sigma3));
+      ++count;
+    }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+}  // namespace
+
+std::optional<SleeveState> sleeve_state(const TestResult& test, const std::vector<SetResult>& sets,
+                                        double axial_strain)
+{
+  if (!test.sleeve || !reaches(test.axial_strain, axial_strain) ||
+      !reaches(test.sleeve->axial_strain, axial_strain))
+    return std::nullopt;
+  const auto at_platens = [&](const std::vector<double>& values) {
+    return mean_at(axial_strain, test.axial_strain, values);
+  };
+  const auto at_sleeve = [&](const std::vector<double>& values) {
+    return mean_at(axial_strain, test.sleeve->axial_strain, values);
+  };
+  const double sigma3 = at_platens(test.record.confining_stress);
+  const double top = at_platens(test.record.stress_top);
+  const double bottom = at_platens(test.record.stress_bottom);
+  const double area =
+      at_sleeve(test.sleeve->enclosed_volume) / at_platens(test.run->history.numbers("height [m]"));
+  const double tension = at_sleeve(test.sleeve->hoop_tension_mean);
+  const double radius =
+      stretched_radius(initial_radius(*test.run), at_sleeve(test.sleeve->hoop_strain_mean));
+
+  SleeveState state{axial_strain,
+                    top - sigma3,
+                    bottom - sigma3,
+                    tension,
+                    radius,
+                    confinement_of_ring(tension, radius),
+                    friction_share(at_sleeve(test.sleeve->friction_force), top, bottom, area),
+                    mobilised_angle(sets, test.run->resolution, axial_strain),
+                    std::nullopt};
+  if (state.friction_angle)
+    state.q_theory = encased_deviatoric_stress(passive_coefficient(std::sin(*state.friction_angle)),
+                                               sigma3, state.extra_confinement);
+  return state;
+}
+
+}  // namespace encased_column
