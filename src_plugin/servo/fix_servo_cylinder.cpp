@@ -32,20 +32,21 @@ FixServoCylinder::FixServoCylinder(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   }
 }
 
-void FixServoCylinder::init()
+void FixServoCylinder::find_partners()
 {
-  RigidWall::init();
-  try {
-    for (int n = 0; n < 2; ++n)
-      platens_[n] = find_fix<FixServoPlaten>(lmp, "platens", platen_ids_[n], "fix servo/platen");
-  } catch (const InputError& problem) {
-    error->fix_error(FLERR, this, problem.what());
-  }
+  for (int n = 0; n < 2; ++n)
+    platens_[n] = find_fix<FixServoPlaten>(lmp, "platens", platen_ids_[n], "fix servo/platen");
+}
+
+bool FixServoCylinder::has_partners() const
+{
+  return is_there(lmp, platens_[0]) && is_there(lmp, platens_[1]);
 }
 
 double FixServoCylinder::confining_stress() const
 {
-  return platens_[0] ? load().force / loaded_area() : 0.0;  // before the first run there are none
+  // Before the first run, and when a platen was taken away, there is no area.
+  return has_partners() ? load().force / loaded_area() : 0.0;
 }
 
 double FixServoCylinder::loaded_area() const
@@ -75,8 +76,10 @@ double FixServoCylinder::compute_vector(int n)
       return cylinder_.radius;
     case 3:
       return speed();
-    default:
+    case 4:
       return work();
+    default:
+      return ramp_left();
   }
 }
 

@@ -14,7 +14,6 @@ class FixServoCylinder : public RigidWall, public SpecimenSide {
   static const KeywordTable keywords;
 
   FixServoCylinder(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
-  void init() override;
   void post_force(int) override { press_grains(); }
   double compute_vector(int n) override;
 
@@ -26,6 +25,8 @@ class FixServoCylinder : public RigidWall, public SpecimenSide {
   bool holds(const double* center) const override;
 
  protected:
+  void find_partners() override;
+  bool has_partners() const override;
   double loaded_area() const override;
   double usual_speed_limit() const override { return 1e-5 * cylinder_.radius / update->dt; }
   void advance(double distance) override { cylinder_.advance(distance); }

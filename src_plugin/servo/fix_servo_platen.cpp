@@ -32,15 +32,22 @@ FixServoPlaten::FixServoPlaten(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   }
 }
 
-void FixServoPlaten::init()
+void FixServoPlaten::find_partners()
 {
-  RigidWall::init();
-  if (side_id_.empty()) return;
-  try {
+  side_ = nullptr;
+  if (!side_id_.empty())
     side_ = find_fix<SpecimenSide>(lmp, "side", side_id_, "cylinder or sleeve");
-  } catch (const InputError& problem) {
-    error->fix_error(FLERR, this, problem.what());
-  }
+}
+
+bool FixServoPlaten::has_partners() const
+{
+  return side_id_.empty() || is_there(lmp, side_);
+}
+
+// Before the first run, and when the side was taken away, there is no area.
+double FixServoPlaten::stress() const
+{
+  return has_partners() ? load().force / loaded_area() : 0.0;
 }
 
 double FixServoPlaten::loaded_area() const
@@ -64,8 +71,10 @@ double FixServoPlaten::compute_vector(int n)
       return height();
     case 3:
       return speed();
-    default:
+    case 4:
       return work_on_grains();
+    default:
+      return ramp_left();
   }
 }
 

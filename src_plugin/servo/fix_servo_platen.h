@@ -12,15 +12,16 @@ class FixServoPlaten : public RigidWall {
   static const KeywordTable keywords;
 
   FixServoPlaten(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
-  void init() override;
   void post_force(int) override { press_grains(); }
   double compute_vector(int n) override;
 
-  double height() const { return plane_.z; }                      ///< of its face [m]
-  double stress() const { return load().force / loaded_area(); }  ///< on the cross section [Pa]
+  double height() const { return plane_.z; }  ///< of its face [m]
+  double stress() const;                      ///< on the cross section [Pa]
   bool is_top() const { return plane_.outward > 0.0; }
 
  protected:
+  void find_partners() override;
+  bool has_partners() const override;
   double loaded_area() const override;
   double usual_speed_limit() const override;
   void advance(double distance) override { plane_.advance(distance); }

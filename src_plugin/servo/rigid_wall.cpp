@@ -22,7 +22,7 @@ RigidWall::RigidWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   restart_peratom = 1;
   create_attribute = 1;
   vector_flag = 1;
-  size_vector = 5;
+  size_vector = 6;
   global_freq = 1;
   extvector = 0;
   grow_arrays(atom->nmax);
@@ -54,7 +54,7 @@ void RigidWall::read_wall(const Options& options)
 
 double RigidWall::stress_now() const
 {
-  return load_.stiffness > 0.0 ? load_.force / loaded_area() : 0.0;
+  return load_.stiffness > 0.0 && has_partners() ? load_.force / loaded_area() : 0.0;
 }
 
 int RigidWall::setmask()
@@ -69,6 +69,7 @@ void RigidWall::init()
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
     desk_.open(rolling_);
+    find_partners();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -93,8 +94,22 @@ void RigidWall::sum_load()
 void RigidWall::initial_integrate(int)
 {
   speed_ = drive_.speed(update->ntimestep, update->dt, load_, loaded_area(), usual_speed_limit());
+  check_reach();
   force_before_ = load_.force;
   advance(speed_ * update->dt);
+}
+
+// The load is the same on every rank, and so is the end.
+void RigidWall::check_reach()
+{
+  if (!drive_.is_out_of_reach()) return;
+  const std::string found =
+      "'servo' must be a stress that the grains can bear, found " + in_words(stress_now()) +
+      " of " + in_words(drive_.target(update->ntimestep)) + " Pa after " +
+      std::to_string(drive_.patience()) + " steps at the speed limit at step " +
+      std::to_string(update->ntimestep) +
+      ", write a stress in reach, or a larger 'patience' where the way is long";
+  error->fix_error(FLERR, this, found.c_str());
 }
 
 // Trapezoid of the force over the step: the work a spring between wall and grain really takes.
@@ -108,6 +123,7 @@ int RigidWall::modify_param(int narg, char** arg)
 {
   try {
     static const KeywordTable drive_only{WallDrive::keywords(), {}};
+    if (load_.stiffness > 0.0) find_partners();  // a ramp starts from the stress they give
     read_wall(drive_only.read(narg, arg, 0));
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());

@@ -41,9 +41,14 @@ class RigidWall : public LAMMPS_NS::Fix {
   const WallLoad& load() const { return load_; }
   double work_on_grains() const { return work_; }
   double speed() const { return speed_; }  ///< towards the specimen [m/s]
+  double ramp_left() const { return static_cast<double>(drive_.ramp_left(update->ntimestep)); }
 
  protected:
   void read_wall(const Options& options);
+  /// Looks up the fixes this wall refers to; throws InputError.
+  virtual void find_partners() = 0;
+  /// True where they are found and have not been taken away since.
+  virtual bool has_partners() const = 0;
   virtual double loaded_area() const = 0;  ///< turns stress into force [m^2]
   virtual double usual_speed_limit() const = 0;
   virtual void advance(double distance) = 0;  ///< towards the specimen [m]
@@ -68,6 +73,7 @@ class RigidWall : public LAMMPS_NS::Fix {
   };
 
   double stress_now() const;
+  void check_reach();
 
   Options on_fix_line_;
   WallDrive drive_;

@@ -2,6 +2,9 @@
 
 #include "core/input_error.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace encased_column {
 
 const std::vector<Keyword>& WallDrive::keywords()
@@ -14,6 +17,8 @@ const std::vector<Keyword>& WallDrive::keywords()
       {"ramp", 1, "steps", "with `servo`: the target gets there linearly in so many steps"},
       {"gain", 1, "-", "part of the missing force closed per step, 0.001 to 0.8 (default 0.8)"},
       {"speed_limit", 1, "m/s", "largest servo speed (default 1e-5 radii per step)"},
+      {"patience", 1, "steps",
+       "after more in a row at the speed limit, one way, the run stops (default 50000)"},
   };
   return keywords;
 }
@@ -28,6 +33,7 @@ void WallDrive::read(const Options& options, long step, double stress_now)
     throw InputError("'ramp' goes with 'servo', found it alone, write 'servo STRESS ramp STEPS'");
   gain_ = options.between("gain", 1e-3, 0.8, gain_);
   if (options.has("speed_limit")) speed_limit_ = options.positive("speed_limit");
+  patience_ = options.integer("patience", 1, patience_);
   if (options.has("hold")) mode_ = Mode::hold;
   if (options.has("velocity")) {
     mode_ = Mode::velocity;
@@ -36,6 +42,7 @@ void WallDrive::read(const Options& options, long step, double stress_now)
   if (options.has("servo")) {
     mode_ = Mode::servo;
     memory_ = ServoMemory();
+    steps_at_limit_ = 0;
     target_ = options.not_negative("servo", 0.0);
     ramp_from_ = stress_now;
     ramp_start_ = step;
@@ -56,7 +63,24 @@ double WallDrive::speed(long step, double dt, const WallLoad& load, double area,
   if (mode_ == Mode::hold) return 0.0;
   if (mode_ == Mode::velocity) return velocity_;
   const double limit = speed_limit_ > 0.0 ? speed_limit_ : usual_limit;
-  return steady_servo_speed(load, target(step), area, gain_, dt, limit, memory_);
+  const double speed = steady_servo_speed(load, target(step), area, gain_, dt, limit, memory_);
+  count_step(speed, limit);
+  return speed;
+}
+
+long WallDrive::ramp_left(long step) const
+{
+  return mode_ == Mode::servo ? std::max(ramp_start_ + ramp_steps_ - step, 0L) : 0L;
+}
+
+void WallDrive::count_step(double speed, double limit)
+{
+  if (std::abs(speed) < limit)
+    steps_at_limit_ = 0;
+  else if (speed > 0.0)
+    steps_at_limit_ = std::max(steps_at_limit_, 0L) + 1;
+  else
+    steps_at_limit_ = std::min(steps_at_limit_, 0L) - 1;
 }
 
 }  // namespace encased_column

@@ -3,6 +3,7 @@
 #include "core/keyword_table.h"
 #include "servo/servo_law.h"
 
+#include <cstdlib>
 #include <vector>
 
 namespace encased_column {
@@ -20,9 +21,17 @@ class WallDrive {
   /// Speed [m/s] towards the specimen at `step` of length `dt` [s].
   double speed(long step, double dt, const WallLoad& load, double area, double usual_limit);
 
+  /// True after more than `patience` steps in a row at the speed limit in one direction: grains
+  /// that cannot bear the stress, or are not there, would be run over in silence.
+  bool is_out_of_reach() const { return std::abs(steps_at_limit_) > patience_; }
+  double target(long step) const;  ///< stress [Pa] that is followed at `step`
+  /// Steps after `step` until the target stands still.
+  long ramp_left(long step) const;
+  long patience() const { return patience_; }
+
  private:
   enum class Mode { hold, velocity, servo };
-  double target(long step) const;
+  void count_step(double speed, double limit);
 
   Mode mode_ = Mode::hold;
   double velocity_ = 0.0;
@@ -31,6 +40,8 @@ class WallDrive {
   double gain_ = 0.8;
   ServoMemory memory_;
   double speed_limit_ = 0.0;  ///< 0: the wall's usual limit
+  long patience_ = 50000;
+  long steps_at_limit_ = 0;  ///< negative: away from the specimen
 };
 
 }  // namespace encased_column

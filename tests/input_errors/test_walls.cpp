@@ -31,7 +31,7 @@ fix_modify top z 0.09
 run 1
 )",
                  "unknown keyword 'z', expected one of: type, hold, velocity, servo, ramp, gain, "
-                 "speed_limit");
+                 "speed_limit, patience");
 }
 
 TEST(Platen, RefusesARampWithoutAServo)
@@ -70,6 +70,26 @@ fix top all servo/platen position top area 0.0016 type 2
 run 1
 )",
                  "keyword 'z' is missing, add 'z ...'");
+}
+
+TEST(Platen, RefusesAPatienceOfNoStep)
+{
+  expect_refused("grain_stack", R"(
+fix top all servo/platen position top z 0.08 area 0.0016 type 2 servo 50e3 patience 0
+run 1
+)",
+                 "'patience' must be 1 or larger, found 0");
+}
+
+TEST(Platen, StopsTheRunWhenItsStressIsOutOfReach)
+{
+  expect_refused("grain_stack", R"(
+fix top all servo/platen position top z 0.5 area 0.0016 type 2 servo 50e3 patience 100
+run 200
+)",
+                 "'servo' must be a stress that the grains can bear, found 0 of 50000 Pa after 100 "
+                 "steps at the speed limit at step 101, write a stress in reach, or a larger "
+                 "'patience' where the way is long");
 }
 
 TEST(Platen, RefusesASideThatIsNotThere)
@@ -120,4 +140,29 @@ fix side all servo/cylinder radius 0 platens top bottom type 2
 run 1
 )",
                  "'radius' must be larger than zero, found 0");
+}
+
+// The platen is taken away after the cylinder felt grains: a ramp has no stress to start from.
+TEST(Cylinder, RefusesANewStressWhenItsPlatenWasTakenAway)
+{
+  const Outcome outcome = run_deck(opening_deck("grain_stack") + R"(
+fix side all servo/cylinder radius 0.0199 platens top bottom type 2
+fix top all servo/platen position top z 0.08 side side type 2
+fix bottom all servo/platen position bottom z 0 side side type 2
+fix move all motion
+run 1
+variable before equal f_side[2]
+print "force ${before}"
+unfix top
+variable stress equal f_side[1]
+print "stress ${stress}"
+fix_modify side servo 50e3 ramp 10
+)");
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_GT(outcome.value("force"), 0.0) << outcome.output;
+  EXPECT_EQ(outcome.value("stress"), 0.0) << "without a platen there is no loaded area";
+  EXPECT_TRUE(
+      outcome.says("'platens' must name a fix servo/platen, found 'top' and no fix has "
+                   "that ID, define it before"))
+      << outcome.output;
 }

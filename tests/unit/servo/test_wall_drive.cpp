@@ -64,6 +64,18 @@ TEST(WallDrive, RampsLinearlyFromTheStressOfTheStepItWasTold)
   EXPECT_DOUBLE_EQ(speed_at(drive, 1000), 0.5 * 50.0);
 }
 
+TEST(WallDrive, CountsTheStepsUntilItsRampEnds)
+{
+  WallDrive drive;
+  EXPECT_EQ(drive.ramp_left(100), 0);
+  read(drive, {"servo", "50", "ramp", "10"});
+  EXPECT_EQ(drive.ramp_left(100), 10);
+  EXPECT_EQ(drive.ramp_left(104), 6);
+  EXPECT_EQ(drive.ramp_left(1000), 0);
+  read(drive, {"velocity", "1"});
+  EXPECT_EQ(drive.ramp_left(100), 0);
+}
+
 TEST(WallDrive, KeepsToItsOwnSpeedLimitBeforeTheUsualOne)
 {
   WallDrive drive;
@@ -79,6 +91,32 @@ TEST(WallDrive, KeepsItsGainWhenOnlyTheTargetChanges)
   read(drive, {"servo", "50", "gain", "0.1"});
   read(drive, {"servo", "100"});
   EXPECT_DOUBLE_EQ(speed_at(drive, 100), 10.0);
+}
+
+TEST(WallDrive, IsOutOfReachAfterItsPatienceAtTheSpeedLimit)
+{
+  for (const double force : {0.0, 1e9}) {  // too little: towards the specimen; too much: away
+    WallDrive drive;
+    read(drive, {"servo", "50", "patience", "3"});
+    for (long n = 0; n < 3; ++n) drive.speed(100 + n, 1.0, {force, 1.0}, 1.0, 1e-6);
+    EXPECT_FALSE(drive.is_out_of_reach());
+    drive.speed(103, 1.0, {force, 1.0}, 1.0, 1e-6);
+    EXPECT_TRUE(drive.is_out_of_reach());
+  }
+}
+
+TEST(WallDrive, CountsItsPatienceInOneDirectionAndWithoutABreak)
+{
+  WallDrive drive;
+  read(drive, {"servo", "50", "patience", "3"});
+  for (const double force : {0.0, 0.0, 50.0, 0.0, 0.0, 1e9, 1e9, 0.0, 0.0, 0.0}) {
+    drive.speed(100, 1.0, {force, 1.0}, 1.0, 1e-6);
+    EXPECT_FALSE(drive.is_out_of_reach());
+  }
+  drive.speed(100, 1.0, {0.0, 1.0}, 1.0, 1e-6);
+  EXPECT_TRUE(drive.is_out_of_reach());
+  read(drive, {"servo", "60"});
+  EXPECT_FALSE(drive.is_out_of_reach()) << "a new target starts anew";
 }
 
 TEST(WallDrive, RefusesWhatContradictsItself)
