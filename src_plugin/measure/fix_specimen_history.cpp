@@ -9,10 +9,11 @@
 #include "measure/coordination.h"
 #include "measure/love_weber.h"
 #include "measure/sphere_overlap.h"
-#include "output/whole_file.h"
 #include "servo/fix_servo_platen.h"
 
+#include <cmath>
 #include <cstring>
+#include <fstream>
 
 namespace encased_column {
 
@@ -66,7 +67,8 @@ constexpr int column_count = sizeof(columns) / sizeof(columns[0]);
 }  // namespace
 
 FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : LAMMPS_NS::Fix(lmp, narg, arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg),
+      file_("", {})
 {
   try {
     const Options options = keywords.read(narg, arg);
@@ -74,12 +76,13 @@ FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** 
     side_id_ = options.word("side");
     motion_id_ = options.word("motion");
     nevery = static_cast<int>(options.integer("every", 1, 200));
-    file_name_ = options.word("file", "history.csv");
-    int writable = comm->me != 0 || std::ofstream(file_name_, std::ios::app);
+    const std::string file = options.word("file", "history.csv");
+    int writable = comm->me != 0 || std::ofstream(file, std::ios::app);
     MPI_Bcast(&writable, 1, MPI_INT, 0, world);
     if (!writable)
-      throw InputError("'file' must be a file that can be written, found '" + file_name_ +
+      throw InputError("'file' must be a file that can be written, found '" + file +
                        "', create its folder or give another name");
+    file_ = CsvSeries(file, {columns, columns + column_count});
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -331,14 +334,12 @@ void FixSpecimenHistory::end_of_step()
 
 void FixSpecimenHistory::write_row()
 {
-  if (comm->me != 0) return;
-  std::ofstream file(file_name_, fresh_file_ ? std::ios::trunc : std::ios::app);
-  if (fresh_file_)
-    for (int n = 0; n < column_count; ++n)
-      file << columns[n] << (n + 1 < column_count ? "," : "\n");
-  fresh_file_ = false;
-  file.precision(9);
-  for (int n = 0; n < column_count; ++n) file << row_[n] << (n + 1 < column_count ? "," : "\n");
+  if (comm->me == 0 && !file_.append(row_)) stop_writing();
+}
+
+void FixSpecimenHistory::stop_writing() const
+{
+  error->one(FLERR, ("cannot write '" + file_.path() + "', free some space").c_str());
 }
 
 int FixSpecimenHistory::modify_param(int narg, char** arg)
@@ -349,7 +350,7 @@ int FixSpecimenHistory::modify_param(int narg, char** arg)
       throw InputError("'fix_modify " + std::string(id) + "' takes 'reference' only, found '" +
                        std::string(arg[0]) + "'");
     reference_wanted_ = true;
-    fresh_file_ = true;
+    file_.start_anew();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -369,15 +370,6 @@ struct Saved {
   ContactLosses losses;
   double row[column_count];
 };
-
-/// The lines of `file` that start with a step up to `last`, and the one with the names.
-std::string rows_up_to(double last, std::ifstream file)
-{
-  std::string kept, line;
-  while (std::getline(file, line))
-    if (kept.empty() || std::strtod(line.c_str(), nullptr) <= last) kept += line + "\n";
-  return kept;
-}
 
 }  // namespace
 
@@ -403,11 +395,7 @@ void FixSpecimenHistory::restart(char* buffer)
   row_.assign(saved.row, saved.row + column_count);
   if (comm->me != 0) return;
   contact_losses = saved.losses;
-  const std::string rows =
-      rows_up_to(static_cast<double>(update->ntimestep), std::ifstream(file_name_));
-  fresh_file_ = rows.empty();
-  if (!fresh_file_ && !write_whole_file(file_name_, rows))
-    error->one(FLERR, ("cannot write '" + file_name_ + "', free some space").c_str());
+  if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop_writing();
 }
 
 }  // namespace encased_column

@@ -4,8 +4,8 @@
 #include "host/contact_probe.h"
 #include "measure/energy_account.h"
 #include "measure/specimen_state.h"
+#include "output/csv_series.h"
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -59,8 +59,9 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   void take_sample();
   void take_reference();
   void write_row();
+  void stop_writing() const;
 
-  std::string platen_ids_[2], side_id_, motion_id_, file_name_;
+  std::string platen_ids_[2], side_id_, motion_id_;
   FixServoPlaten* top_ = nullptr;
   FixServoPlaten* bottom_ = nullptr;
   SpecimenSide* side_ = nullptr;
@@ -68,7 +69,6 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
 
   bool setting_up_ = false;
   bool reference_wanted_ = false;
-  bool fresh_file_ = true;
   std::vector<int> contacts_of_;
   double shared_volume_ = 0.0, elastic_ = 0.0;
   CoreStress core_;
@@ -76,6 +76,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   SpecimenState reference_, now_;
   EnergyAccount energy_start_, energy_;
   std::vector<double> row_;
+  CsvSeries file_;
 };
 
 }  // namespace encased_column

@@ -2,7 +2,6 @@
 
 #include "host/rank_sums.h"
 
-#include "memory.h"
 #include "pair_gran.h"
 
 #include <algorithm>
@@ -12,30 +11,14 @@
 namespace encased_column {
 
 RigidWall::RigidWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : LAMMPS_NS::Fix(lmp, narg, arg),
+    : ContactMemoryFix(lmp, narg, arg),
       desk_(lmp)
 {
-  if (!atom->radius_flag || !atom->rmass_flag)
-    error->fix_error(FLERR, this, "atoms have no radius and mass, use 'atom_style granular'");
-  time_depend = 1;  // contacts and ramps remember step numbers
   restart_global = 1;
-  restart_peratom = 1;
-  create_attribute = 1;
   vector_flag = 1;
   size_vector = 6;
   global_freq = 1;
   extvector = 0;
-  grow_arrays(atom->nmax);
-  atom->add_callback(0);
-  atom->add_callback(1);
-  for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
-}
-
-RigidWall::~RigidWall()
-{
-  atom->delete_callback(id, 0);
-  atom->delete_callback(id, 1);
-  memory->destroy(memory_);
 }
 
 void RigidWall::read_wall(const Options& options)
@@ -151,49 +134,6 @@ void RigidWall::restart(char* buffer)
   set_position(saved.position);
   drive_ = saved.drive;
   drive_.read(on_fix_line_, update->ntimestep, saved.stress);
-}
-
-void RigidWall::grow_arrays(int n)
-{
-  memory->grow(memory_, n, memory_size_rolling, "wall:memory");
-}
-
-void RigidWall::copy_arrays(int from, int to, int)
-{
-  std::copy_n(memory_[from], memory_size_rolling, memory_[to]);
-}
-
-void RigidWall::set_arrays(int i)
-{
-  std::fill_n(memory_[i], memory_size_rolling, 0.0);
-  memory_[i][3] = -1.0;  // never touched: step 0 counts as a first contact too
-}
-
-int RigidWall::pack_exchange(int i, double* buffer)
-{
-  std::copy_n(memory_[i], memory_size_rolling, buffer);
-  return memory_size_rolling;
-}
-
-int RigidWall::unpack_exchange(int i, double* buffer)
-{
-  std::copy_n(buffer, memory_size_rolling, memory_[i]);
-  return memory_size_rolling;
-}
-
-int RigidWall::pack_restart(int i, double* buffer)
-{
-  buffer[0] = memory_size_rolling + 1;
-  std::copy_n(memory_[i], memory_size_rolling, buffer + 1);
-  return memory_size_rolling + 1;
-}
-
-// The host hands over each atom's record as a chain: the n-th block in it is ours.
-void RigidWall::unpack_restart(int nlocal, int nth)
-{
-  const double* block = atom->extra[nlocal];
-  for (int n = 0; n < nth; ++n) block += static_cast<int>(block[0]);
-  std::copy_n(block + 1, memory_size_rolling, memory_[nlocal]);
 }
 
 }  // namespace encased_column

@@ -3,7 +3,7 @@
 #include "contact/contact_desk.h"
 #include "core/input_error.h"
 #include "core/keyword_table.h"
-#include "host/host_types.h"
+#include "host/contact_memory_fix.h"
 #include "servo/wall_drive.h"
 
 #include <string>
@@ -14,10 +14,9 @@ namespace encased_column {
 /// drive, the load, the work, and the state in restart files. The walls are exact surfaces, not
 /// meshes: on facets a grain that rolls over an edge is pushed by two of them, then by one, and
 /// never comes to rest.
-class RigidWall : public LAMMPS_NS::Fix {
+class RigidWall : public ContactMemoryFix {
  public:
   RigidWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
-  ~RigidWall() override;
 
   int setmask() override;
   void init() override;
@@ -27,16 +26,6 @@ class RigidWall : public LAMMPS_NS::Fix {
   int modify_param(int narg, char** arg) override;
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
-
-  void grow_arrays(int n) override;
-  void copy_arrays(int from, int to, int delete_flag) override;
-  void set_arrays(int i) override;
-  int pack_exchange(int i, double* buffer) override;
-  int unpack_exchange(int i, double* buffer) override;
-  int pack_restart(int i, double* buffer) override;
-  void unpack_restart(int nlocal, int nth) override;
-  int size_restart(int) override { return memory_size_rolling + 1; }
-  int maxsize_restart() override { return memory_size_rolling + 1; }
 
   const WallLoad& load() const { return load_; }
   double work_on_grains() const { return work_; }
@@ -81,7 +70,6 @@ class RigidWall : public LAMMPS_NS::Fix {
   int wall_type_ = 0;
   bool rolling_ = false;
   bool advance_memory_ = true;
-  double** memory_ = nullptr;  ///< per grain: what its contact with this wall remembers
   WallLoad load_;
   double speed_ = 0.0, work_ = 0.0, force_before_ = 0.0;
 };
@@ -117,7 +105,7 @@ void RigidWall::press(const Shape& shape)
                       {0.0, -speed_ * normal, Vec3::Zero()}};
     const ContactAction action =
         resolve_contact<rolling>(desk_.material(atom->type[i], wall_type_), touch, update->dt, step,
-                                 advance_memory_, memory_[i]);
+                                 advance_memory_, contact_memory(i));
     as_vec3(atom->f[i]) += action.force;
     as_vec3(atom->torque[i]) += action.moment_i;
     load_.force += action.normal_force;
