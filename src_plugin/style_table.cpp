@@ -7,6 +7,7 @@
 #include "dynamics/solve_command.h"
 #include "measure/fix_specimen_history.h"
 #include "output/fix_output_grains.h"
+#include "output/fix_output_restart.h"
 #include "packing/create_packing_command.h"
 #include "packing/fix_grow_radius.h"
 #include "servo/create_wall_mesh_command.h"
@@ -23,6 +24,7 @@ const std::vector<Style>& style_table()
       {"grow/radius", make<FixGrowRadius>()},
       {"motion", make<FixMotion>()},
       {"output/grains", make<FixOutputGrains>()},
+      {"output/restart", make<FixOutputRestart>()},
       {"servo/cylinder", make<FixServoCylinder>()},
       {"servo/platen", make<FixServoPlaten>()},
       {"solve", make<SolveCommand>()},
