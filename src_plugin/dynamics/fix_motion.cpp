@@ -132,7 +132,6 @@ void FixMotion::init()
     update->dt = fixed_step_;
   else if (!anew_ && stable_step_ > 0.0)
     update->dt = stable_step_;
-  gravity_ = gravity_of(lmp);
   setting_up_ = true;
 }
 
@@ -150,6 +149,7 @@ bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
 void FixMotion::setup_pre_force(int)
 {
   setting_up_ = true;
+  gravity_ = gravity_of(lmp);  // a `fix gravity` behind this one knows it only when it is set up
   anew_ = max_over_ranks(anew_ ? 1.0 : 0.0, world) > 0.0;
   if (time_of_restart_) {  // the host goes on at the step of the file, but at time zero
     update->atime = *time_of_restart_;
