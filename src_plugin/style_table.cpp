@@ -7,6 +7,7 @@
 #include "dynamics/solve_command.h"
 #include "measure/fix_specimen_history.h"
 #include "output/fix_output_grains.h"
+#include "output/fix_output_restart.h"
 #include "output/fix_output_sleeve.h"
 #include "packing/create_packing_command.h"
 #include "packing/fix_grow_radius.h"
@@ -26,6 +27,7 @@ const std::vector<Style>& style_table()
       {"mesh/surface/shell", make<FixMeshSurfaceShell>()},
       {"motion", make<FixMotion>()},
       {"output/grains", make<FixOutputGrains>()},
+      {"output/restart", make<FixOutputRestart>()},
       {"output/sleeve", make<FixOutputSleeve>()},
       {"servo/cylinder", make<FixServoCylinder>()},
       {"servo/platen", make<FixServoPlaten>()},

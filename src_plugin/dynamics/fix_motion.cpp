@@ -133,7 +133,6 @@ void FixMotion::init()
     update->dt = fixed_step_;
   else if (!anew_ && stable_step_ > 0.0)
     update->dt = stable_step_;
-  gravity_ = gravity_of(lmp);
   setting_up_ = true;
 }
 
@@ -163,7 +162,13 @@ bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
 void FixMotion::setup_pre_force(int)
 {
   setting_up_ = true;
+  gravity_ = gravity_of(lmp);  // a `fix gravity` behind this one knows it only when it is set up
   anew_ = max_over_ranks(anew_ ? 1.0 : 0.0, world) > 0.0;
+  if (time_of_restart_) {  // the host goes on at the step of the file, but at time zero
+    update->atime = *time_of_restart_;
+    update->atimestep = update->ntimestep;
+    time_of_restart_.reset();
+  }
   collect();
 }
 
@@ -389,7 +394,8 @@ void FixMotion::write_restart(FILE* file)
   const double loss = damping_loss();
   const bool anew = max_over_ranks(anew_ ? 1.0 : 0.0, world) > 0.0;
   if (comm->me != 0) return;
-  const Saved saved{loss, largest_factor_, stable_step_, equilibrium_, rule_, anew};
+  const Saved saved{
+      update->get_cur_time(), loss, largest_factor_, stable_step_, equilibrium_, rule_, anew};
   const int size = sizeof(Saved);
   fwrite(&size, sizeof(int), 1, file);
   fwrite(&saved, sizeof(Saved), 1, file);
@@ -399,6 +405,7 @@ void FixMotion::restart(char* buffer)
 {
   Saved saved;
   std::memcpy(&saved, buffer, sizeof(Saved));
+  time_of_restart_ = saved.time;
   loss_ = comm->me == 0 ? saved.loss : 0.0;
   largest_factor_ = saved.largest_factor;
   stable_step_ = saved.stable_step;

@@ -5,6 +5,7 @@
 #include "host/contact_probe.h"
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace encased_column {
@@ -78,7 +79,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
   };
   /// The state in a restart file.
   struct Saved {
-    double loss, largest_factor, stable_step;
+    double time, loss, largest_factor, stable_step;
     Equilibrium equilibrium;
     Rule rule;
     bool anew;
@@ -99,7 +100,8 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
   /// and does not wait for the next step that `every` divides.
   bool anew_ = true;
   Rule rule_{};
-  double* inertia_ = nullptr;  ///< per grain [kg]
+  std::optional<double> time_of_restart_;  ///< until the first run after it [s]
+  double* inertia_ = nullptr;              ///< per grain [kg]
   std::vector<GrainStiffness> stiffness_;
   std::vector<double> near_wall_;  ///< decisive stiffness of a contact with a wall near by [N/m]
   double contact_force_sum_ = 0.0, contact_count_ = 0.0;

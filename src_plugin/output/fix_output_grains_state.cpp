@@ -1,9 +1,12 @@
 // What `fix output/grains` keeps with each grain and with the run: moves, copies and restarts.
 #include "output/fix_output_grains.h"
 
+#include "output/whole_file.h"
+
 #include "memory.h"
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 
@@ -68,7 +71,8 @@ void FixOutputGrains::write_restart(FILE* file)
   std::fwrite(text.c_str(), 1, text.size() + 1, file);
 }
 
-/// Goes on with the series, as far as its files are still in the folder, and with its time.
+/// Goes on with the series, as far as its files are still in the folder, and with its time; files
+/// that the run wrote after its restart file are listed no more, they come again.
 void FixOutputGrains::restart(char* buffer)
 {
   std::istringstream lines(buffer);
@@ -78,6 +82,9 @@ void FixOutputGrains::restart(char* buffer)
   std::string file;
   while (lines >> time && std::getline(lines >> std::ws, file))
     if (std::filesystem::exists(folder_ + "/" + file)) collection_.add(time, file);
+  written_ = std::strchr(buffer, ' ') != nullptr;
+  if (comm->me == 0 && !write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text()))
+    error->one(FLERR, ("cannot write into '" + folder_ + "', free some space").c_str());
 }
 
 double FixOutputGrains::memory_usage()

@@ -87,6 +87,21 @@ TEST(RunCommand, RefusesANameThatLeavesTheRunFolder)
                  "--name takes letters, digits, '_', '-' and '.', found '../elsewhere'");
 }
 
+TEST(RunCommand, RefusesToGoOnWithOtherVariables)
+{
+  const std::string name = "begun_" + std::to_string(getpid());
+  const fs::path folder = source / "runs" / name;
+  fs::create_directories(folder / "plain_050");
+  std::ofstream(folder / "plain_050/case.json") << "{\"id\": \"plain_050\",\n";
+  const Outcome outcome = run_command({"--resume", "--name", name, "--case", "plain_050"});
+  fs::remove_all(folder);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(outcome.says("run: case 'plain_050' in 'runs/" + name +
+                           "' was begun with other variables, found "))
+      << outcome.output;
+  EXPECT_TRUE(outcome.says("give the same --resolution and --set or another --name"));
+}
+
 TEST(RunCommand, RefusesAnOutputFolderThatCannotBeWritten)
 {
   const std::string name = "blocked_" + std::to_string(getpid());

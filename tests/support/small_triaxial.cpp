@@ -22,7 +22,7 @@ Outcome run_small_triaxial(const fs::path& folder, int ranks)
   return run_small_triaxial(folder, ranks, plain_triaxial_deck());
 }
 
-Outcome run_small_triaxial(const fs::path& folder, int ranks, const std::string& deck)
+std::vector<std::string> prepare_small_triaxial(const fs::path& folder)
 {
   fs::copy(inputs / "common", folder / "common", fs::copy_options::recursive);
   std::ofstream(folder / "common/resolution_small.lmp") << "variable finest equal 10e-3\n"
@@ -34,7 +34,12 @@ Outcome run_small_triaxial(const fs::path& folder, int ranks, const std::string&
       {"porosity", "0.40"}, {"strain_end", "0.02"},  {"limit", "1e-4"},  {"sigma3", "50e3"}};
   for (const auto& [name, value] : variables)
     arguments.insert(arguments.end(), {"-var", name, value});
-  return run_deck(deck, ranks, folder, arguments);
+  return arguments;
+}
+
+Outcome run_small_triaxial(const fs::path& folder, int ranks, const std::string& deck)
+{
+  return run_deck(deck, ranks, folder, prepare_small_triaxial(folder));
 }
 
 }  // namespace encased_column::testing

@@ -12,6 +12,10 @@ Outcome run_small_triaxial(const std::filesystem::path& folder, int ranks);
 /// The same with `deck` in place of plain_triaxial_deck().
 Outcome run_small_triaxial(const std::filesystem::path& folder, int ranks, const std::string& deck);
 
+/// Puts what the small test includes into `folder` and returns its variables as arguments of the
+/// program.
+std::vector<std::string> prepare_small_triaxial(const std::filesystem::path& folder);
+
 /// The text of the deck.
 std::string plain_triaxial_deck();
 
