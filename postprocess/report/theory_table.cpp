@@ -72,8 +72,12 @@ std::string theory_text(const std::vector<SetResult>& sets)
 
 std::string theory_csv(const std::vector<SetResult>& sets)
 {
-  const Rows rows = theory_rows(sets);
-  return rows.size() == 1 ? std::string() : comma_separated(rows);
+  Rows rows = theory_rows(sets);
+  if (rows.size() == 1) return {};
+  for (std::vector<std::string>& row : rows)
+    for (std::string& word : row)
+      if (word == "-") word.clear();
+  return comma_separated(rows);
 }
 
 }  // namespace encased_column

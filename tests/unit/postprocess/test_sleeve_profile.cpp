@@ -41,3 +41,8 @@ TEST(NearestPlaces, NameNoFrameTwice)
 {
   EXPECT_EQ(nearest_places({0.0, 0.125}, {0.10, 0.15}, 0.03), (std::vector<std::size_t>{1}));
 }
+
+TEST(NearestPlaces, LeaveOutAStrainThatNoFrameIsNear)
+{
+  EXPECT_EQ(nearest_places({0.0, 0.01, 0.1}, {0.05, 0.10}, 0.02), (std::vector<std::size_t>{2}));
+}
