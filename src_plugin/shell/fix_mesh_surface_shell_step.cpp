@@ -92,20 +92,21 @@ void FixMeshSurfaceShell::press(bool advance_memory)
                          ", load more slowly or raise the contact modulus of the sleeve")
                             .c_str());
     const SmoothTouch& smooth = contacts_.touch();
-    const Touch touch{
-        smooth.overlap,
-        smooth.normal,
-        atom->rmass[i],
-        {radius, as_vec3(atom->v[i]), as_vec3(atom->omega[i])},
-        {0.0, rigid_ ? Vec3(Vec3::Zero()) : contacts_.surface_velocity(*model_), Vec3::Zero()}};
-    ContactMaterial material = desk_.material(atom->type[i], type_);
-    material.modulus *= smooth.stiffening;
-    const ContactAction action = resolve_contact<rolling>(material, touch, update->dt, step,
-                                                          advance_memory, contact_memory(i));
+    const Vec3 point = center + contact_arm(radius, smooth.overlap) * smooth.normal;
+    const SurfaceMotion surface = rigid_ ? SurfaceMotion{Vec3::Zero(), Vec3::Zero()}
+                                         : contacts_.surface_motion(*model_, point);
+    const Touch touch{smooth.overlap,
+                      smooth.normal,
+                      atom->rmass[i],
+                      {radius, as_vec3(atom->v[i]), as_vec3(atom->omega[i])},
+                      {0.0, surface.velocity, surface.spin}};
+    const ContactAction action =
+        resolve_contact<rolling>(stiffened(desk_.material(atom->type[i], type_), smooth), touch,
+                                 update->dt, step, advance_memory, contact_memory(i));
     as_vec3(atom->f[i]) += action.force;
     as_vec3(atom->torque[i]) += action.moment_i;
     const Vec3 shear = -action.force - action.normal_force * smooth.normal;
-    contacts_.press(*model_, action.normal_force, shear, center + action.arm * smooth.normal);
+    contacts_.press(*model_, action.normal_force, shear, action.moment_j, point);
     vertical_force_ -= action.force.z();
     if (weighing_)
       contacts_.add_stiffness(*model_, std::max(action.stiffness.normal, action.stiffness.shear),
