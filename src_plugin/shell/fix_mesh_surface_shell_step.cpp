@@ -53,7 +53,7 @@ void FixMeshSurfaceShell::take_loads(bool advance_memory)
                  everywhere_ ? HeightWindow() : window(), model_->external());
     for (int i = 0; i < model_->nodes(); ++i) model_->force(i) += model_->external()[i];
   }
-  if (advance_memory) weighing_ = update->ntimestep % every_ == 0;
+  if (advance_memory) weighing_ = update->ntimestep % every_ == 0 || weighed_step_ != update->dt;
   if (weighing_) contact_bound_.assign(model_->nodes(), {0.0, 0.0});
   press_grains(advance_memory);
 }
@@ -132,8 +132,7 @@ void FixMeshSurfaceShell::final_integrate()
 void FixMeshSurfaceShell::weigh()
 {
   const int nodes = model_->nodes();
-  if (facet_bound_.empty() || weighed_step_ != update->dt ||
-      update->ntimestep % (bounds_apart * every_) == 0) {
+  if (facet_bound_.empty() || update->ntimestep % (bounds_apart * every_) == 0) {
     facet_bound_.assign(nodes, {0.0, 0.0});
     model_->add_stiffness(first_, last_, facet_bound_);
     sum_over_ranks(&facet_bound_.front().translation, 2 * facet_bound_.size(), world);
@@ -143,6 +142,7 @@ void FixMeshSurfaceShell::weigh()
     contact_bound_[i].translation += facet_bound_[i].translation;
     contact_bound_[i].rotation += facet_bound_[i].rotation;
   }
+  if (weighed_step_ != update->dt) model_->unscale_masses();
   weighed_step_ = update->dt;
   if (scale_masses_) {
     mass_factor_ = model_->scale_masses(contact_bound_, update->dt, safety_);
