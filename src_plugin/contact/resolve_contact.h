@@ -39,6 +39,12 @@ struct ContactAction {
   bool sliding;
 };
 
+/// From the center of a grain of radius `r` [m] to its contact [m]: half way into the overlap.
+inline double contact_arm(double r, double overlap)
+{
+  return r - 0.5 * overlap;
+}
+
 /// Linear contact with history: stiffness from the radii, force, moments and losses. With `advance`
 /// the memory moves on by the step `dt` [s] that ends at step number `step`.
 ///
@@ -52,8 +58,8 @@ template <bool rolling>
   const bool wall = t.is_wall();
   const double smaller = wall ? t.i.radius : std::min(t.i.radius, t.j.radius);
   const ContactStiffness k = linear_stiffness(material, smaller, t.i.radius + t.j.radius);
-  const double arm_i = t.i.radius - 0.5 * t.overlap;
-  const double arm_j = wall ? 0.0 : t.j.radius - 0.5 * t.overlap;
+  const double arm_i = contact_arm(t.i.radius, t.overlap);
+  const double arm_j = wall ? 0.0 : contact_arm(t.j.radius, t.overlap);
 
   const bool fresh = memory[3] < step - 1.0;
   if (advance) memory[3] = step;

@@ -8,35 +8,66 @@
 
 namespace encased_column {
 
-/// The three nodal forces [N] that equal `force` [N] at `point` [m] together with `moment` [N m]:
-/// their sum is the force, their moment about any point is that of the force plus `moment`.
+/// How a force at a point on or over a facet reaches its nodes, and how the facet moves there.
 ///
-/// Area coordinates of the point's foot share out the force. The remaining moment (from `moment`
-/// and from the point's height over the facet) becomes forces a x (x_i - c) about the facet's
-/// centre c, the smallest that will do: (sum |r|^2 I - r r^T) a = moment. Forces only: a sleeve
-/// without bending stiffness could not take nodal moments, and none resists a turn about the
-/// normal.
+/// Area coordinates of the point's foot share out the force. The remaining moment (one that comes
+/// with the force, and that of the point's height over the facet) becomes forces a x (x_i - c)
+/// about the facet's centre c, the smallest that will do: (sum |r|^2 I - r r^T) a = moment. Forces
+/// only: a sleeve without bending stiffness could not take nodal moments, and none resists a turn
+/// about the normal. Velocity and spin are the same map read backwards, so that the power of the
+/// nodal forces is exactly force . velocity + moment . spin: else friction would make energy.
+class FacetLever {
+ public:
+  FacetLever(const std::array<Vec3, 3>& corner, const Vec3& point)
+  {
+    const Vec3 center = (corner[0] + corner[1] + corner[2]) / 3.0;
+    const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+    const double square = normal.squaredNorm();
+    height_ = point - center;
+    Mat3 spread = Mat3::Zero();
+    for (int i = 0; i < 3; ++i) {
+      arm_[i] = corner[i] - center;
+      const Vec3 side = corner[(i + 2) % 3] - corner[(i + 1) % 3];
+      weight_(i) = 1.0 / 3.0 + normal.cross(side).dot(point - center) / square;
+      height_ -= weight_(i) * arm_[i];
+      spread += arm_[i].squaredNorm() * Mat3::Identity() - arm_[i] * arm_[i].transpose();
+    }
+    spread_.compute(spread);
+  }
+
+  /// Nodal forces [N] whose sum is `force` and whose moment about any point is that of `force` [N]
+  /// at the point plus `moment` [N m].
+  std::array<Vec3, 3> nodal_forces(const Vec3& force, const Vec3& moment) const
+  {
+    const Vec3 turn = spread_.solve(moment + height_.cross(force));
+    std::array<Vec3, 3> out;
+    for (int i = 0; i < 3; ++i) out[i] = weight_(i) * force + turn.cross(arm_[i]);
+    return out;
+  }
+
+  /// Spin [rad/s] of the facet whose nodes move with `v` [m/s]: the least squares one.
+  Vec3 spin(const std::array<Vec3, 3>& v) const
+  {
+    return spread_.solve(arm_[0].cross(v[0]) + arm_[1].cross(v[1]) + arm_[2].cross(v[2]));
+  }
+
+  /// Velocity [m/s] of the facet at the point, with that spin.
+  Vec3 velocity(const std::array<Vec3, 3>& v, const Vec3& spin) const
+  {
+    return weight_(0) * v[0] + weight_(1) * v[1] + weight_(2) * v[2] + spin.cross(height_);
+  }
+
+ private:
+  std::array<Vec3, 3> arm_;
+  Vec3 weight_, height_;  ///< area coordinates of the foot; from the foot to the point [m]
+  Eigen::LLT<Mat3> spread_;
+};
+
+/// The three nodal forces [N] that equal `force` [N] at `point` [m] together with `moment` [N m].
 inline std::array<Vec3, 3> contact_to_nodes(const std::array<Vec3, 3>& corner, const Vec3& point,
                                             const Vec3& force, const Vec3& moment)
 {
-  const Vec3 center = (corner[0] + corner[1] + corner[2]) / 3.0;
-  const std::array<Vec3, 3> arm{corner[0] - center, corner[1] - center, corner[2] - center};
-  const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-  const double square = normal.squaredNorm();
-
-  std::array<Vec3, 3> out;
-  Vec3 rest = moment + (point - center).cross(force);
-  Mat3 spread = Mat3::Zero();
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 side = corner[(i + 2) % 3] - corner[(i + 1) % 3];
-    const double weight = 1.0 / 3.0 + normal.cross(side).dot(point - center) / square;
-    out[i] = weight * force;
-    rest -= arm[i].cross(out[i]);
-    spread += arm[i].squaredNorm() * Mat3::Identity() - arm[i] * arm[i].transpose();
-  }
-  const Vec3 turn = spread.llt().solve(rest);
-  for (int i = 0; i < 3; ++i) out[i] += turn.cross(arm[i]);
-  return out;
+  return FacetLever(corner, point).nodal_forces(force, moment);
 }
 
 }  // namespace encased_column

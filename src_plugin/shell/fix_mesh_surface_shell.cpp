@@ -9,7 +9,9 @@
 
 #include "pair_gran.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace encased_column {
 
@@ -83,6 +85,7 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
     safety_ = options.between("safety", 0.01, 1.9, 0.8);
     every_ = static_cast<int>(options.integer("every", 1, 50));
     read_changeable(options);
+    on_fix_line_ = options;
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -102,7 +105,11 @@ void FixMeshSurfaceShell::read_material(const Options& options)
   constants_.tension_only = options.choice("tension_only", yes_no, "no") == "yes";
   if (options.has("bending_thickness"))
     constants_.bending_thickness = options.not_negative("bending_thickness", 0.0);
-  if (options.has("modulus_axial")) constants_.modulus_axial = options.positive("modulus_axial");
+  if (options.has("modulus_axial"))
+    constants_.modulus_axial = options.positive("modulus_axial");
+  else if (options.has("shear_modulus"))
+    throw InputError(
+        "'shear_modulus' goes with 'modulus_axial', found it alone, give both or neither");
   if (options.has("shear_modulus")) constants_.shear_modulus = options.positive("shear_modulus");
 }
 
@@ -112,6 +119,8 @@ void FixMeshSurfaceShell::read_mesh(const Options& options)
     throw InputError("a sleeve takes one of 'cylinder' and 'file', found " +
                      std::string(options.has("file") ? "both" : "neither") +
                      ", write for example 'cylinder 0.05 0 0.2 edge 0.005'");
+  if (options.has("file") && options.has("edge"))
+    throw InputError("'edge' goes with 'cylinder', found it with 'file', whose facets are given");
   SurfaceMesh mesh;
   if (options.has("file")) {
     mesh = read_mesh_file(options.word("file"));
@@ -125,12 +134,8 @@ void FixMeshSurfaceShell::read_mesh(const Options& options)
   const bool first_is_top = mean_height(loops[0], mesh) > mean_height(loops[1], mesh);
   end_nodes_[0] = loops[first_is_top ? 0 : 1];
   end_nodes_[1] = loops[first_is_top ? 1 : 0];
-  low_ = high_ = mesh.node.front().z();
-  for (const Vec3& node : mesh.node) {
-    axis_ += node / static_cast<double>(mesh.node.size());
-    low_ = std::min(low_, node.z());
-    high_ = std::max(high_, node.z());
-  }
+  require_upright(mesh);
+  for (const Vec3& node : mesh.node) axis_ += node / static_cast<double>(mesh.node.size());
   axis_.z() = 0.0;
   pairs_ = facet_pairs(mesh);
   model_ = std::make_unique<ShellModel>(mesh, constants_, Vec3::UnitZ());
@@ -139,13 +144,25 @@ void FixMeshSurfaceShell::read_mesh(const Options& options)
   last_ = static_cast<int>(facets * (comm->me + 1) / comm->nprocs);
 }
 
+// Volumes, sections and the pressure's window go by the height.
+void FixMeshSurfaceShell::require_upright(const SurfaceMesh& mesh) const
+{
+  double low = mesh.node[end_nodes_[0].front()].z(), high = mesh.node[end_nodes_[1].front()].z();
+  for (const int node : end_nodes_[0]) low = std::min(low, mesh.node[node].z());
+  for (const int node : end_nodes_[1]) high = std::max(high, mesh.node[node].z());
+  if (low > high) return;
+  throw InputError(
+      "the axis of a sleeve must stand along z, one end above the other, found the lower "
+      "end up to " +
+      in_words(high) + " m and the upper one down to " + in_words(low) + " m: turn the mesh");
+}
+
 void FixMeshSurfaceShell::read_changeable(const Options& options)
 {
   if (options.has("ramp") && !options.has("pressure"))
     throw InputError(
         "'ramp' goes with 'pressure', found it alone, write 'pressure 50e3 ramp 1000'");
-  if (options.has("pressure"))
-    pressure_.set(options.number("pressure"), options.integer("ramp", 1, 1), update->ntimestep);
+  read_pressure(options);
   rigid_ = options.choice("rigid", yes_no, rigid_ ? "yes" : "no") == "yes";
   everywhere_ = options.choice("pressed", {"between", "everywhere"},
                                everywhere_ ? "everywhere" : "between") == "everywhere";
@@ -158,6 +175,12 @@ void FixMeshSurfaceShell::read_changeable(const Options& options)
     ends_[n] = sleeve_end_of(options.choice(name, names, names[static_cast<int>(ends_[n])]));
   }
   place_supports();
+}
+
+void FixMeshSurfaceShell::read_pressure(const Options& options)
+{
+  if (options.has("pressure"))
+    pressure_.set(options.number("pressure"), options.integer("ramp", 1, 1), update->ntimestep);
 }
 
 void FixMeshSurfaceShell::place_supports()
@@ -217,9 +240,13 @@ int FixMeshSurfaceShell::modify_param(int narg, char** arg)
 
 double FixMeshSurfaceShell::level_inside(double z) const
 {
-  // Not on the nodes of an end, where a platen stands at the start.
-  const double reserve = 1e-6 * (high_ - low_);
-  return std::clamp(z, low_ + reserve, high_ - reserve);
+  // Where both ends are whole as they are now; not on their nodes, where a platen stands at the
+  // start.
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+  for (const int node : end_nodes_[0]) high = std::min(high, model_->position()[node].z());
+  for (const int node : end_nodes_[1]) low = std::max(low, model_->position()[node].z());
+  const double reserve = 1e-6 * (high - low);
+  return low < high ? std::clamp(z, low + reserve, high - reserve) : z;
 }
 
 double FixMeshSurfaceShell::compute_vector(int n)

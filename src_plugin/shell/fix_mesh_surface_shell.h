@@ -62,8 +62,10 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
 
  private:
   void read_mesh(const Options& options);
+  void require_upright(const SurfaceMesh& mesh) const;
   void read_material(const Options& options);
   void read_changeable(const Options& options);
+  void read_pressure(const Options& options);
   void place_supports();
 
   void take_loads(bool advance_memory);
@@ -84,8 +86,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   SleeveEnd ends_[2] = {SleeveEnd::held, SleeveEnd::held};
   std::size_t first_bottom_support_ = 0;
   Vec3 axis_ = Vec3::Zero();
-  double low_ = 0.0, high_ = 0.0;  ///< ends of the mesh [m]
-  int first_ = 0, last_ = 0;       ///< facets of this rank
+  int first_ = 0, last_ = 0;  ///< facets of this rank
 
   int type_ = 0;
   bool rigid_ = false, everywhere_ = false, scale_masses_ = true, rolling_ = false;
@@ -93,6 +94,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   int every_ = 50;
   bool rupture_told_ = false;
   PressureRamp pressure_{0.0};
+  Options on_fix_line_;
 
   ContactDesk desk_;
   SleeveContacts contacts_;

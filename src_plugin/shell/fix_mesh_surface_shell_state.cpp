@@ -63,6 +63,7 @@ void FixMeshSurfaceShell::write_restart(FILE* file)
   fwrite(numbers.data(), sizeof(double), numbers.size(), file);
 }
 
+// The sleeve goes on as it was, but for what the fix line says.
 void FixMeshSurfaceShell::restart(char* buffer)
 {
   Saved saved{0, 0, 0, 0, 0, 0, PressureRamp(0.0)};
@@ -101,6 +102,7 @@ void FixMeshSurfaceShell::restart(char* buffer)
   weighed_step_ = saved.weighed_step;
   mass_factor_ = saved.mass_factor;
   pressure_ = saved.pressure;
+  read_pressure(on_fix_line_);
 }
 
 }  // namespace encased_column

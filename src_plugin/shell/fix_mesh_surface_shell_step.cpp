@@ -53,7 +53,7 @@ void FixMeshSurfaceShell::take_loads(bool advance_memory)
                  everywhere_ ? HeightWindow() : window(), model_->external());
     for (int i = 0; i < model_->nodes(); ++i) model_->force(i) += model_->external()[i];
   }
-  if (advance_memory) weighing_ = update->ntimestep % every_ == 0;
+  if (advance_memory) weighing_ = update->ntimestep % every_ == 0 || weighed_step_ != update->dt;
   if (weighing_) contact_bound_.assign(model_->nodes(), {0.0, 0.0});
   press_grains(advance_memory);
 }
@@ -92,20 +92,21 @@ void FixMeshSurfaceShell::press(bool advance_memory)
                          ", load more slowly or raise the contact modulus of the sleeve")
                             .c_str());
     const SmoothTouch& smooth = contacts_.touch();
-    const Touch touch{
-        smooth.overlap,
-        smooth.normal,
-        atom->rmass[i],
-        {radius, as_vec3(atom->v[i]), as_vec3(atom->omega[i])},
-        {0.0, rigid_ ? Vec3(Vec3::Zero()) : contacts_.surface_velocity(*model_), Vec3::Zero()}};
-    ContactMaterial material = desk_.material(atom->type[i], type_);
-    material.modulus *= smooth.stiffening;
-    const ContactAction action = resolve_contact<rolling>(material, touch, update->dt, step,
-                                                          advance_memory, contact_memory(i));
+    const Vec3 point = center + contact_arm(radius, smooth.overlap) * smooth.normal;
+    const SurfaceMotion surface = rigid_ ? SurfaceMotion{Vec3::Zero(), Vec3::Zero()}
+                                         : contacts_.surface_motion(*model_, point);
+    const Touch touch{smooth.overlap,
+                      smooth.normal,
+                      atom->rmass[i],
+                      {radius, as_vec3(atom->v[i]), as_vec3(atom->omega[i])},
+                      {0.0, surface.velocity, surface.spin}};
+    const ContactAction action =
+        resolve_contact<rolling>(stiffened(desk_.material(atom->type[i], type_), smooth), touch,
+                                 update->dt, step, advance_memory, contact_memory(i));
     as_vec3(atom->f[i]) += action.force;
     as_vec3(atom->torque[i]) += action.moment_i;
     const Vec3 shear = -action.force - action.normal_force * smooth.normal;
-    contacts_.press(*model_, action.normal_force, shear, center + action.arm * smooth.normal);
+    contacts_.press(*model_, action.normal_force, shear, action.moment_j, point);
     vertical_force_ -= action.force.z();
     if (weighing_)
       contacts_.add_stiffness(*model_, std::max(action.stiffness.normal, action.stiffness.shear),
@@ -131,8 +132,7 @@ void FixMeshSurfaceShell::final_integrate()
 void FixMeshSurfaceShell::weigh()
 {
   const int nodes = model_->nodes();
-  if (facet_bound_.empty() || weighed_step_ != update->dt ||
-      update->ntimestep % (bounds_apart * every_) == 0) {
+  if (facet_bound_.empty() || update->ntimestep % (bounds_apart * every_) == 0) {
     facet_bound_.assign(nodes, {0.0, 0.0});
     model_->add_stiffness(first_, last_, facet_bound_);
     sum_over_ranks(&facet_bound_.front().translation, 2 * facet_bound_.size(), world);
@@ -142,6 +142,7 @@ void FixMeshSurfaceShell::weigh()
     contact_bound_[i].translation += facet_bound_[i].translation;
     contact_bound_[i].rotation += facet_bound_[i].rotation;
   }
+  if (weighed_step_ != update->dt) model_->unscale_masses();
   weighed_step_ = update->dt;
   if (scale_masses_) {
     mass_factor_ = model_->scale_masses(contact_bound_, update->dt, safety_);

@@ -48,6 +48,7 @@ ShellModel::ShellModel(const SurfaceMesh& mesh, const ShellConstants& constants,
     }
   }
   true_mass_ = mass_;
+  true_inertia_ = inertia_;
 }
 
 void ShellModel::set_state(const std::vector<Vec3>& position,
@@ -125,8 +126,7 @@ StepWork ShellModel::advance(double dt, double alpha)
                                  Mat3::Identity() - support.held_rotation);
     support.force = -support.held * force(i);
     support.moment = -support.held_rotation * moment(i);
-    work.supports +=
-        dt * (support.force.dot(support.velocity) + support.moment.dot(support.angular_velocity));
+    work.supports += support_work(support, dt);
   }
   for (int i = 0; i < nodes(); ++i) {
     work.external += 0.5 * dt * external_[i].dot(velocity_before_[i] + velocity_[i]);
@@ -148,6 +148,19 @@ double ShellModel::damping_work(int i, double dt, double alpha, const Mat3& free
           brake_spin.dot(spin_before_[i] + angular_velocity_[i]));
 }
 
+// The support bears the loads and makes the node keep its velocity: where that changes, it gives
+// the node its kinetic energy too. Loads count with the mean velocity, as in all works of a step.
+double ShellModel::support_work(const Support& support, double dt) const
+{
+  const int i = support.node;
+  const Vec3 before = support.held * velocity_before_[i], now = support.held * velocity_[i];
+  const Vec3 spin_before = support.held_rotation * spin_before_[i],
+             spin = support.held_rotation * angular_velocity_[i];
+  return 0.5 * (mass_[i] * (now.squaredNorm() - before.squaredNorm()) +
+                inertia_[i] * (spin.squaredNorm() - spin_before.squaredNorm()) +
+                dt * (support.force.dot(before + now) + support.moment.dot(spin_before + spin)));
+}
+
 void ShellModel::add_stiffness(int first, int last, std::vector<StiffnessBound>& bound) const
 {
   for (int f = first; f < last; ++f) {
@@ -167,6 +180,12 @@ double ShellModel::stable_step(const std::vector<StiffnessBound>& bound, double 
     if (bound[i].rotation > 0.0) square = std::min(square, inertia_[i] / bound[i].rotation);
   }
   return factor * std::sqrt(square);
+}
+
+void ShellModel::unscale_masses()
+{
+  mass_ = true_mass_;
+  inertia_ = true_inertia_;
 }
 
 double ShellModel::scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor)

@@ -12,7 +12,7 @@ namespace encased_column {
 /// What a step did to the energy of a sleeve [J].
 struct StepWork {
   double external = 0.0;  ///< work of the loads in external()
-  double supports = 0.0;  ///< work of supports that move
+  double supports = 0.0;  ///< work of supports that move, or bring a node to rest
   double damping = 0.0;   ///< taken out by the local damping
 };
 
@@ -80,6 +80,8 @@ class ShellModel {
   /// factor sqrt(m / k), smallest over nodes, translations and rotations [s]. Stable below factor
   /// 2, because the sum of the bounds is never below the largest eigenvalue.
   double stable_step(const std::vector<StiffnessBound>& bound, double factor) const;
+  /// Takes the scaling of masses and inertias back.
+  void unscale_masses();
   /// Raises masses and inertias where `dt` [s] asks for it; returns the total mass over the true
   /// one.
   double scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor);
@@ -93,6 +95,7 @@ class ShellModel {
  private:
   double damping_work(int i, double dt, double alpha, const Mat3& free,
                       const Mat3& free_rotation) const;
+  double support_work(const Support& support, double dt) const;
 
   ShellMaterial material_;
   std::vector<Facet> facet_;
@@ -101,7 +104,7 @@ class ShellModel {
   std::vector<Vec3> velocity_before_, spin_before_;
   std::vector<Quaternion> rotation_;
   std::vector<Mat3> rotation_matrix_;
-  std::vector<double> true_mass_, mass_, inertia_;
+  std::vector<double> true_mass_, true_inertia_, mass_, inertia_;
   std::vector<Support> support_;
 };
 

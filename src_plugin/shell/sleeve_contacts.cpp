@@ -4,6 +4,7 @@
 #include "shell/nearest_point.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace encased_column {
 
@@ -62,32 +63,46 @@ bool SleeveContacts::touches(const ShellModel& model, int n, const Vec3& center,
   return true;
 }
 
+// Over an edge or a node several facets are as deep. At a sharp fold the direction may point
+// against the normal of one of them on the right side too: the one it is most along tells the side.
+// A center in the surface has no direction and counts as behind.
 bool SleeveContacts::is_behind(const ShellModel& model) const
 {
-  const auto deepest = std::max_element(
-      facets_.begin(), facets_.end(),
-      [](const FacetTouch& a, const FacetTouch& b) { return a.overlap < b.overlap; });
-  const FacetVectors corner = model.corners(deepest->facet);
-  return deepest->direction.dot((corner[1] - corner[0]).cross(corner[2] - corner[0])) < 0.0;
+  double deepest = 0.0, side = 0.0;
+  for (const FacetTouch& t : facets_) deepest = std::max(deepest, t.overlap);
+  for (const FacetTouch& t : facets_) {
+    if (t.overlap < 0.999 * deepest) continue;
+    const FacetVectors corner = model.corners(t.facet);
+    const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
+    const double cosine = t.direction.dot(normal);
+    if (std::abs(cosine) > std::abs(side)) side = cosine;
+  }
+  return !(side > 0.0);
 }
 
-Vec3 SleeveContacts::surface_velocity(const ShellModel& model) const
+SurfaceMotion SleeveContacts::surface_motion(const ShellModel& model, const Vec3& point) const
 {
-  Vec3 velocity = Vec3::Zero();
-  for (const FacetTouch& t : facets_)
-    for (int i = 0; i < 3; ++i)
-      velocity += t.share * t.weight(i) * model.velocity()[model.facet()[t.facet][i]];
-  return velocity;
+  SurfaceMotion motion{Vec3::Zero(), Vec3::Zero()};
+  for (const FacetTouch& t : facets_) {
+    const Facet& node = model.facet()[t.facet];
+    const FacetVectors velocity{model.velocity()[node[0]], model.velocity()[node[1]],
+                                model.velocity()[node[2]]};
+    const FacetLever lever(model.corners(t.facet), point);
+    const Vec3 spin = lever.spin(velocity);
+    motion.velocity += t.share * lever.velocity(velocity, spin);
+    motion.spin += t.share * spin;
+  }
+  return motion;
 }
 
 void SleeveContacts::press(ShellModel& model, double normal_force, const Vec3& shear,
-                           const Vec3& point) const
+                           const Vec3& moment, const Vec3& point) const
 {
   for (const FacetTouch& t : facets_) {
     const Facet& node = model.facet()[t.facet];
     const Vec3 normal = (normal_force * t.pull) * t.direction;
     const std::array<Vec3, 3> along =
-        contact_to_nodes(model.corners(t.facet), point, t.share * shear, Vec3::Zero());
+        contact_to_nodes(model.corners(t.facet), point, t.share * shear, t.share * moment);
     for (int i = 0; i < 3; ++i) model.force(node[i]) += t.weight(i) * normal + along[i];
   }
 }

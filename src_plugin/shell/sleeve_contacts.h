@@ -8,6 +8,12 @@
 
 namespace encased_column {
 
+/// Motion of the sleeve's surface at a contact.
+struct SurfaceMotion {
+  Vec3 velocity;  ///< [m/s]
+  Vec3 spin;      ///< [rad/s]
+};
+
 /// Contacts of grains with a sleeve: which facets are near each grain, how a grain and they
 /// overlap, and how the contact force reaches the nodes.
 class SleeveContacts {
@@ -31,13 +37,15 @@ class SleeveContacts {
   bool is_behind(const ShellModel& model) const;
   /// A facet of the touch.
   int facet() const { return facets_.front().facet; }
-  /// Velocity of the surface at the contact [m/s].
-  Vec3 surface_velocity(const ShellModel& model) const;
+  /// How the surface moves at the contact `point` [m]: the motion on which shear force and moment
+  /// of press() do their work.
+  SurfaceMotion surface_motion(const ShellModel& model, const Vec3& point) const;
 
   /// Gives the sleeve what it feels of the touch: the normal force [N] along the facets'
-  /// directions, the shear force [N] on the sleeve at `point` [m]. Nodal forces are statically
-  /// equivalent.
-  void press(ShellModel& model, double normal_force, const Vec3& shear, const Vec3& point) const;
+  /// directions, and on the sleeve at `point` [m] the shear force [N] and the moment [N m]. Nodal
+  /// forces are statically equivalent.
+  void press(ShellModel& model, double normal_force, const Vec3& shear, const Vec3& moment,
+             const Vec3& point) const;
 
   /// Adds to `bound` what a contact of this stiffness [N/m] adds to its nodes: 2 k w for the node
   /// of weight w, so that the bounds of a node, with the grain on the other side, stay above the

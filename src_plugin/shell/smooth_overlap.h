@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/linear_law.h"
 #include "core/vec3.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ struct FacetTouch {
 struct SmoothTouch {
   double overlap;     ///< [m]
   Vec3 normal;        ///< unit, from the center to the surface
-  double stiffening;  ///< factor on the normal stiffness, 1 to n^(1/4) for n facets [-]
+  double stiffening;  ///< factor on the normal stiffness, at most n^(1/4) for n facets [-]
 };
 
 /// Joins the touches of one sphere with a faceted surface into one contact that does not jump where
@@ -68,6 +69,15 @@ inline SmoothTouch join_touches(std::vector<FacetTouch>& touches)
     t.share /= weights;
   }
   return {overlap / length, gradient / length, length * length};
+}
+
+/// The material of the one contact that joined touches make: stiffer along the normal; its shear
+/// spring is the same on facets and edges, else it would gain energy where it stiffens.
+inline ContactMaterial stiffened(ContactMaterial material, const SmoothTouch& touch)
+{
+  material.modulus *= touch.stiffening;
+  material.stiffness_ratio *= touch.stiffening;
+  return material;
 }
 
 }  // namespace encased_column

@@ -1,0 +1,219 @@
+#include "input_errors/refusal.h"
+
+#include <array>
+#include <fstream>
+#include <vector>
+
+using namespace encased_column::testing;
+
+namespace {
+
+const std::string grain =
+    "create_atoms 1 single 0 0 0.1 units box\nset group all diameter 0.01 density 2500\n";
+const std::string mesh = " cylinder 0.05 0 0.2 edge 0.02";
+const std::string platens = " type 2 platens top bottom";
+const std::string material = " modulus 11.5e6 poisson 0.3 thickness 0.01 density 30";
+const std::string walls =
+    "\nfix top all servo/platen position top z 0.2 side side type 2\n"
+    "fix bottom all servo/platen position bottom z 0 side side type 2\n"
+    "fix move all motion step 1.0\n";
+
+/// Expects that a sleeve with these words does not start.
+void expect_no_sleeve(const std::string& words, const std::string& sentence,
+                      const std::string& after = "")
+{
+  expect_refused("empty_cylinder",
+                 grain + "fix side all mesh/surface/shell" + words + walls + after + "run 1\n",
+                 sentence);
+}
+
+/// A tube of four sides and three rows, 2 cm wide and 3 cm high, as an ASCII STL file, but for what
+/// `change` does to its 24 triangles.
+template <typename Change>
+std::filesystem::path tube_file(const TemporaryFolder& folder, const Change& change)
+{
+  struct Corner {
+    double x, y, z;
+  };
+  std::vector<std::array<Corner, 3>> triangles;
+  const double x[] = {0.01, -0.01, -0.01, 0.01}, y[] = {0.01, 0.01, -0.01, -0.01};
+  for (const double z : {0.0, 0.01, 0.02})
+    for (int i = 0; i < 4; ++i) {
+      const int j = (i + 1) % 4;
+      const double up = z + 0.01;
+      const Corner a{x[i], y[i], z}, b{x[j], y[j], z}, c{x[j], y[j], up}, d{x[i], y[i], up};
+      triangles.push_back({a, b, c});
+      triangles.push_back({a, c, d});
+    }
+  change(triangles);
+  const auto path = folder.path() / "tube.stl";
+  std::ofstream file(path);
+  file << "solid tube\n";
+  for (const auto& triangle : triangles) {
+    file << "facet normal 0 0 0\nouter loop\n";
+    for (const Corner& c : triangle) file << "vertex " << c.x << " " << c.y << " " << c.z << "\n";
+    file << "endloop\nendfacet\n";
+  }
+  file << "endsolid tube\n";
+  return path;
+}
+
+template <typename Change>
+void expect_no_mesh(const Change& change, const std::string& sentence)
+{
+  const TemporaryFolder folder;
+  const std::string path = tube_file(folder, change);
+  expect_no_sleeve(" file " + path + platens + material, sentence);
+}
+
+}  // namespace
+
+TEST(Sleeve, RefusesAMeshWithAHole)
+{
+  expect_no_mesh([](auto& triangles) { triangles.erase(triangles.begin() + 11); },
+                 "the mesh of a sleeve needs exactly two borders, its two ends, found");
+}
+
+TEST(Sleeve, RefusesAnInvertedFacet)
+{
+  expect_no_mesh([](auto& triangles) { std::swap(triangles[11][0], triangles[11][1]); },
+                 "neighbouring facets of the mesh must be oriented alike and an edge joins two at "
+                 "most, found facets");
+}
+
+TEST(Sleeve, RefusesAMeshThatLies)
+{
+  expect_no_mesh(
+      [](auto& triangles) {
+        for (auto& triangle : triangles)
+          for (auto& corner : triangle) std::swap(corner.x, corner.z);
+      },
+      "the axis of a sleeve must stand along z, one end above the other, found the lower end up to "
+      "0.01 m and the upper one down to -0.01 m: turn the mesh");
+}
+
+TEST(Sleeve, RefusesAThicknessThatIsNone)
+{
+  const std::string rest = mesh + platens + " modulus 11.5e6 poisson 0.3 density 30";
+  expect_no_sleeve(rest + " thickness 0", "'thickness' must be larger than zero, found 0");
+  expect_no_sleeve(rest + " thickness -0.01", "'thickness' must be larger than zero, found -0.01");
+}
+
+TEST(Sleeve, RefusesAPoissonsRatioOutOfItsRange)
+{
+  const std::string rest = mesh + platens + " modulus 11.5e6 thickness 0.01 density 30";
+  for (const std::string ratio : {"-1", "0.5", "0.7"})
+    expect_no_sleeve(
+        rest + " poisson " + ratio,
+        "poisson of the shell must lie in (-1, 0.5), found " + ratio + ": write for instance 0.3");
+}
+
+TEST(Sleeve, RefusesAnEndOfUnknownKind)
+{
+  expect_no_sleeve(mesh + platens + material + " top_end glued",
+                   "'top_end' must be one of: held, clamped, radial, platen, free; found 'glued'");
+}
+
+TEST(Sleeve, RefusesAPlatenThatIsNotThere)
+{
+  expect_no_sleeve(mesh + " type 2 platens top base" + material,
+                   "'platens' must name a fix servo/platen, found 'base' and no fix has that ID, "
+                   "define it before");
+}
+
+TEST(Sleeve, RefusesThePlatensTheWrongWayRound)
+{
+  expect_no_sleeve(mesh + " type 2 platens bottom top" + material,
+                   "'platens' takes the upper platen first, found 'bottom top', write the ID of "
+                   "the top and then of the bottom one");
+}
+
+TEST(Sleeve, RefusesAPressureThatRampsOverNoSteps)
+{
+  expect_no_sleeve(mesh + platens + material + " pressure 50e3 ramp 0",
+                   "'ramp' must be at least 1, found 0");
+  expect_no_sleeve(mesh + platens + material + " ramp 100",
+                   "'ramp' goes with 'pressure', found it alone, write 'pressure 50e3 ramp 1000'");
+}
+
+TEST(Sleeve, RefusesAnUnknownKeyword)
+{
+  expect_no_sleeve(mesh + platens + material + " thicknes 0.01",
+                   "unknown keyword 'thicknes', expected one of: cylinder, edge, file, type,");
+}
+
+TEST(Sleeve, RefusesAMissingValueOrKeyword)
+{
+  expect_no_sleeve(mesh + platens + material + " pressure",
+                   "keyword 'pressure' takes 1 value, found 0, add what is missing");
+  expect_no_sleeve(mesh + material + " type 2", "keyword 'platens' is missing");
+  expect_no_sleeve(" cylinder 0.05 0 0.2" + platens + material, "keyword 'edge' is missing");
+}
+
+TEST(Sleeve, TakesOneOfCylinderAndFile)
+{
+  const std::string rest = platens + material;
+  expect_no_sleeve(rest, "a sleeve takes one of 'cylinder' and 'file', found neither");
+  expect_no_sleeve(mesh + " file tube.stl" + rest,
+                   "a sleeve takes one of 'cylinder' and 'file', found both");
+  expect_no_sleeve(" file tube.stl edge 0.01" + rest,
+                   "'edge' goes with 'cylinder', found it with 'file', whose facets are given");
+}
+
+TEST(Sleeve, RefusesAFileThatCannotBeRead)
+{
+  expect_no_sleeve(" file nowhere.stl" + platens + material,
+                   "'file' must be a file that can be read, found 'nowhere.stl'");
+  expect_no_sleeve(" file tube.obj" + platens + material,
+                   "'file' must end in .stl, .vtk or .vtp, found 'tube.obj'");
+  expect_no_sleeve(" file in.stl" + platens + material, "'file' must be a file that can be read");
+}
+
+TEST(Sleeve, RefusesAMeshWithoutASize)
+{
+  expect_no_sleeve(" cylinder 0.05 0.2 0 edge 0.02" + platens + material,
+                   "height of the sleeve must be larger than 0, found -0.2: write a length in m");
+  expect_no_sleeve(" cylinder 0.05 0 0.2 edge 0" + platens + material,
+                   "'edge' must be larger than zero, found 0");
+}
+
+TEST(Sleeve, RefusesHalfAnOrthotropicMaterial)
+{
+  expect_no_sleeve(mesh + platens + material + " modulus_axial 5e6",
+                   "shear_modulus of an orthotropic shell must be larger than 0, found 0");
+  expect_no_sleeve(mesh + platens + material + " shear_modulus 5e6",
+                   "'shear_modulus' goes with 'modulus_axial', found it alone, give both or "
+                   "neither");
+}
+
+TEST(Sleeve, RefusesATypeTheBoxDoesNotHave)
+{
+  expect_no_sleeve(mesh + " type 3 platens top bottom" + material,
+                   "'type' must be one of the 2 atom types, found 3");
+}
+
+TEST(Sleeve, RefusesToChangeItsMaterialLater)
+{
+  expect_no_sleeve(mesh + platens + material,
+                   "'thickness' cannot be changed by 'fix_modify', give it on the fix line",
+                   "fix_modify side thickness 0.02\n");
+}
+
+TEST(Sleeve, RefusesAStepTooLongForTrueMasses)
+{
+  expect_no_sleeve(mesh + platens + material + " mass_scaling no",
+                   "the step of 1 s is longer than the sleeve's stable ");
+}
+
+// Here the run has begun: what counts is that it ends, with the reason.
+TEST(Sleeve, EndsTheRunWhenItIsStrainedBeyondItsLimit)
+{
+  const Outcome outcome =
+      run_deck(opening_deck("empty_cylinder") + grain + "fix side all mesh/surface/shell" + mesh +
+               platens + material + " pressure -200e3 strain_limit 0.05" + walls + "run 4000\n");
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_TRUE(
+      outcome.says(", the 'strain_limit' is 0.05, slow the loading, look at the sleeve "
+                   "there or write a larger limit"))
+      << outcome.output;
+}

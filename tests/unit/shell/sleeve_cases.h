@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/constants.h"
+#include "shell/cylinder_mesh.h"
+#include "shell/sleeve_contacts.h"
+#include "shell_cases.h"
+
+namespace encased_column {
+
+/// A short tube of 50 mm radius about the z axis, outward facets of about 20 mm.
+inline ShellModel short_tube(double poisson = 0.3)
+{
+  TubeShape shape;
+  shape.radius = 0.05;
+  shape.height = 0.06;
+  shape.edge = 0.02;
+  ShellConstants c;
+  c.modulus_hoop = 11.5e6;
+  c.poisson = poisson;
+  c.thickness = 0.002;
+  c.density = 500.0;
+  return ShellModel(cylinder_mesh(shape), c, Vec3::UnitZ());
+}
+
+inline void place(ShellModel& model, const std::vector<Vec3>& position)
+{
+  model.set_state(position, model.rotation(), model.velocity(), model.angular_velocity());
+}
+
+/// The same with every node put out of place by up to `amount` [m] along each axis.
+inline ShellModel crumpled_tube(double amount)
+{
+  ShellModel model = short_tube();
+  RandomVectors random(29);
+  std::vector<Vec3> x = model.position();
+  for (Vec3& p : x) p += amount * random();
+  place(model, x);
+  return model;
+}
+
+/// Energy [J] of a touch whose facets have the stiffness `k` [N/m].
+inline double energy_of(const SmoothTouch& touch, double k)
+{
+  return 0.5 * k * touch.stiffening * touch.overlap * touch.overlap;
+}
+
+}  // namespace encased_column
