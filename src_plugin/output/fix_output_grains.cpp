@@ -1,6 +1,7 @@
 #include "output/fix_output_grains.h"
 
 #include "core/input_error.h"
+#include "host/stop_rank.h"
 #include "output/whole_file.h"
 
 #include "memory.h"
@@ -206,7 +207,7 @@ void FixOutputGrains::write()
       !write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text())) {
     const std::string problem = "fix output/grains cannot write '" + folder_ + "/" + file +
                                 "', free some space or mend the folder's rights";
-    error->one(FLERR, problem.c_str());
+    stop_from_rank(lmp, problem);
   }
 }
 

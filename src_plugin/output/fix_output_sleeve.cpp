@@ -2,6 +2,7 @@
 
 #include "core/input_error.h"
 #include "host/find_fix.h"
+#include "host/stop_rank.h"
 #include "output/vtk_sleeve_writer.h"
 #include "shell/fix_mesh_surface_shell.h"
 
@@ -129,9 +130,8 @@ void FixOutputSleeve::write_frame()
 
 void FixOutputSleeve::stop(const std::string& path) const
 {
-  error->one(FLERR, ("fix output/sleeve cannot write '" + path +
-                     "', free some space or mend the folder's rights")
-                        .c_str());
+  stop_from_rank(lmp, ("fix output/sleeve cannot write '" + path +
+                       "', free some space or mend the folder's rights"));
 }
 
 /// Time and height, the positions compared with, then the series as text.

@@ -91,7 +91,7 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
   }
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 14;
+  size_vector = 15;
   global_freq = 1;
   extvector = 0;
 }
@@ -278,8 +278,10 @@ double FixMeshSurfaceShell::compute_vector(int n)
       return work();
     case 12:
       return damping_loss();
-    default:
+    case 13:
       return mass_factor_;
+    default:
+      return static_cast<double>(pressure_.steps_left(update->ntimestep));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "shell/height_window.h"
 #include "shell/surface_mesh.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace encased_column {
@@ -50,6 +51,8 @@ class PressureRamp {
     return from_ + (to_ - from_) * static_cast<double>(step - begin_) / static_cast<double>(steps_);
   }
   double target() const { return to_; }
+  /// Steps until the target is reached.
+  long steps_left(long now) const { return std::max(0L, begin_ + steps_ - now); }
 
  private:
   double from_, to_;
