@@ -2,6 +2,7 @@
 
 #include "contact/resolve_contact.h"
 #include "host/contact_probe.h"
+#include "host/inertia_owner.h"
 
 #include <vector>
 
@@ -42,12 +43,10 @@ class ContactDesk {
     if (!active_.empty()) tell_probes(i, j, share, touch, action);
   }
 
-  /// Tells the probes of a grain of this type and radius [m] that may touch a wall soon.
-  void tell_near(int i, int type_i, int type_wall, double radius)
+  /// Grain i touches a wall: its inertia must bear the contact's springs from this step on.
+  void bear_wall_contact(int i, const ContactStiffness& k)
   {
-    if (active_.empty()) return;
-    const ContactStiffness k = linear_stiffness(material(type_i, type_wall), radius, radius);
-    for (ContactProbe* probe : active_) probe->add_near_wall(i, k.normal, k.shear);
+    if (inertia_) inertia_->bear_wall_contact(i, k.normal, k.shear);
   }
 
  private:
@@ -58,6 +57,7 @@ class ContactDesk {
   int stride_ = 0;
   bool has_dashpots_ = false;
   std::vector<ContactMaterial> materials_;
+  InertiaOwner* inertia_ = nullptr;
   std::vector<ContactProbe*> probes_, active_;
   ContactLosses no_account_;
   ContactLosses* losses_ = &no_account_;

@@ -89,7 +89,10 @@ class ContactModel<
     s.kt = action.stiffness.shear;
     s.Fn = action.normal_force;
     if (!s.computeflag) return;
-    if (wall) desk_.ask_probes();  // the host has no pass over walls
+    if (wall) {
+      desk_.ask_probes();  // the host has no pass over walls
+      desk_.bear_wall_contact(s.i, action.stiffness);
+    }
     const double share = wall || s.j < lmp_->atom->nlocal ? 1.0 : 0.5;
     desk_.book(s.i, wall ? -1 : s.j, share, advance, touch, action);
   }

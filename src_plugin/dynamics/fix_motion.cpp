@@ -54,7 +54,7 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::
     damping_ = options.between("damping", 0.0, 0.99, 0.7);
     safety_ = options.between("safety", 0.01, 1.0, 0.8);
     every_ = static_cast<int>(options.integer("every", 1, 50));
-    fixed_step_ = read_step(options);
+    scaled_step_ = read_step(options);
     read_free_speed(options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
@@ -109,12 +109,12 @@ void FixMotion::init()
     const PairProperty modulus = read_pair_property(lmp, "contactModulus", 0.0, true);
     const PairProperty ratio = read_pair_property(lmp, "stiffnessRatio", 0.0, true);
     stiffest_material_ = 0.0;
-    const std::vector<int> types = types_of_grains();
+    const std::vector<int> types = types_that_count();
     for (const int i : types)
       for (const int j : types)
         stiffest_material_ = std::max(stiffest_material_,
                                       modulus.at(i, j) * decisive_ratio(ratio.at(i, j), rolling_));
-    if (fixed_step_ > 0.0)
+    if (scaled_step_ > 0.0)
       for (const char* name : {"dampingRatioNormal", "dampingRatioShear"}) {
         const PairProperty ratio = read_pair_property(lmp, name, 0.0, false, 0.0);
         for (int i = 1; i <= atom->ntypes; ++i)
@@ -129,17 +129,18 @@ void FixMotion::init()
   }
   if (!(rule_ == rule_now())) anew_ = true;
   rule_ = rule_now();
-  if (fixed_step_ > 0.0)
-    update->dt = fixed_step_;
+  if (scaled_step_ > 0.0)
+    update->dt = scaled_step_;
   else if (!anew_ && stable_step_ > 0.0)
     update->dt = stable_step_;
   setting_up_ = true;
 }
 
-/// Atom types that grains have; others stand for the materials of walls.
-std::vector<int> FixMotion::types_of_grains() const
+/// Atom types a grain may meet. With density scaling those of grains: of walls it hears at the
+/// first touch. True masses cannot wait for that.
+std::vector<int> FixMotion::types_that_count() const
 {
-  std::vector<double> seen(atom->ntypes, 0.0);
+  std::vector<double> seen(atom->ntypes, scaled_step_ > 0.0 ? 0.0 : 1.0);
   for (int i = 0; i < atom->nlocal; ++i) seen[atom->type[i] - 1] = 1.0;
   sum_over_ranks(seen.data(), seen.size(), world);
   std::vector<int> types;
@@ -180,7 +181,6 @@ void FixMotion::pre_force(int)
 void FixMotion::collect()
 {
   stiffness_.assign(atom->nlocal, GrainStiffness());
-  near_wall_.assign(atom->nlocal, 0.0);
   contact_force_sum_ = contact_count_ = 0.0;
 }
 
@@ -191,13 +191,6 @@ void FixMotion::add_contact(const Contact& contact)
     stiffness_[contact.j].add(contact.normal, contact.normal_stiffness, contact.shear_stiffness);
   contact_force_sum_ += contact.share * contact.force.norm();
   contact_count_ += contact.share;
-}
-
-void FixMotion::add_near_wall(int i, double normal_stiffness, double shear_stiffness)
-{
-  const double stiffness =
-      normal_stiffness * decisive_ratio(normal_stiffness / shear_stiffness, rolling_);
-  near_wall_[i] = std::max(near_wall_[i], stiffness);
 }
 
 // Where a deck's run ends, or a restart file is written, must not change the motion: a set-up alone
@@ -216,23 +209,22 @@ void FixMotion::look_anew()
 }
 
 // A grain that touches little now may touch more in the next step: no grain counts as softer than
-// one contact on a flat grain would make it, or on a wall that is within reach.
+// one contact with something flat of its own kind makes it. Walls see to themselves.
 void FixMotion::set_inertia()
 {
   double stable = 1e300, factor = 1.0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double one_contact = pi * atom->radius[i] * stiffest_material_;
-    const double stiffness =
-        std::max({one_contact, near_wall_[i], stiffness_[i].decisive(rolling_)});
+    const double stiffness = std::max(one_contact, stiffness_[i].decisive(rolling_));
     inertia_[i] = atom->rmass[i];
-    if (fixed_step_ > 0.0)
-      inertia_[i] = std::max(inertia_[i], mass_for_step(fixed_step_, stiffness, safety_));
+    if (scaled_step_ > 0.0)
+      inertia_[i] = std::max(inertia_[i], mass_for_step(scaled_step_, stiffness, safety_));
     factor = std::max(factor, inertia_[i] / atom->rmass[i]);
     stable = std::min(stable, stable_step(inertia_[i], stiffness, safety_));
   }
   largest_factor_ = max_over_ranks(factor, world);
   stable_step_ = min_over_ranks(stable, world);
-  if (fixed_step_ == 0.0 && atom->natoms > 0) update->dt = stable_step_;
+  if (scaled_step_ == 0.0 && atom->natoms > 0) update->dt = stable_step_;
 }
 
 void FixMotion::weigh_equilibrium()

@@ -3,6 +3,7 @@
 #include "core/keyword_table.h"
 #include "dynamics/stable_step.h"
 #include "host/contact_probe.h"
+#include "host/inertia_owner.h"
 
 #include <limits>
 #include <optional>
@@ -19,7 +20,7 @@ struct Equilibrium {
 
 /// Moves the grains: central differences with local damping, a stable step found from the contact
 /// stiffness of every grain, and density scaling when the deck sets the step.
-class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
+class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwner {
  public:
   static const KeywordTable keywords;
 
@@ -50,7 +51,6 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
 
   bool wants_contacts(LAMMPS_NS::bigint step) const override;
   void add_contact(const Contact& contact) override;
-  void add_near_wall(int i, double normal_stiffness, double shear_stiffness) override;
 
   /// As of the last step that `every` divides.
   const Equilibrium& equilibrium() const { return equilibrium_; }
@@ -68,7 +68,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
   bool touches_nothing(int i) const;
   double slow_down(int i);  ///< to the free speed; returns the energy taken [J]
   void collect();
-  std::vector<int> types_of_grains() const;
+  std::vector<int> types_that_count() const;
   void set_inertia();
 
   /// What inertia, apart from the contacts, and the weighing were found with.
@@ -85,25 +85,22 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe {
     bool anew;
   };
 
-  Rule rule_now() const { return {fixed_step_, safety_, stiffest_material_, rolling_}; }
+  Rule rule_now() const { return {scaled_step_, safety_, stiffest_material_, rolling_}; }
   void look_anew();
 
-  double damping_, safety_, fixed_step_;
+  double damping_;
   int every_;
   double free_speed_square_ = std::numeric_limits<double>::infinity();  ///< [m^2/s^2]
   Vec3 gravity_ = Vec3::Zero();                                         ///< [m/s^2]
   double stiffest_material_ =
       0.0;  ///< E* [Pa] of the contact of grains that needs the smallest step
-  bool rolling_ = false;
   bool setting_up_ = false;
   /// Grains or materials are new to this fix: it finds inertia and equilibrium when it is set up,
   /// and does not wait for the next step that `every` divides.
   bool anew_ = true;
   Rule rule_{};
   std::optional<double> time_of_restart_;  ///< until the first run after it [s]
-  double* inertia_ = nullptr;              ///< per grain [kg]
   std::vector<GrainStiffness> stiffness_;
-  std::vector<double> near_wall_;  ///< decisive stiffness of a contact with a wall near by [N/m]
   double contact_force_sum_ = 0.0, contact_count_ = 0.0;
   double loss_ = 0.0;
   double largest_factor_ = 1.0, stable_step_ = 0.0;

@@ -29,9 +29,6 @@ class ContactProbe {
   virtual ~ContactProbe() = default;
   virtual bool wants_contacts(LAMMPS_NS::bigint step) const = 0;
   virtual void add_contact(const Contact& contact) = 0;
-  /// Grain i has no contact with a wall yet but is near it; a contact would have this stiffness
-  /// [N/m].
-  virtual void add_near_wall(int /*i*/, double /*normal_stiffness*/, double /*shear_stiffness*/) {}
 };
 
 /// Energy the contacts have turned into heat on this rank since the deck began [J].

@@ -92,11 +92,7 @@ void RigidWall::press(const Shape& shape)
   for (int i = 0; i < atom->nlocal; ++i) {
     const double radius = atom->radius[i];
     const double overlap = shape.overlap(atom->x[i], radius);
-    if (!(atom->mask[i] & groupbit)) continue;
-    if (overlap <= 0.0) {
-      if (overlap > -neighbor->skin) desk_.tell_near(i, atom->type[i], wall_type_, radius);
-      continue;
-    }
+    if (overlap <= 0.0 || !(atom->mask[i] & groupbit)) continue;
     const Vec3 normal = shape.normal(atom->x[i]);
     const Touch touch{overlap,
                       normal,
@@ -106,6 +102,7 @@ void RigidWall::press(const Shape& shape)
     const ContactAction action =
         resolve_contact<rolling>(desk_.material(atom->type[i], wall_type_), touch, update->dt, step,
                                  advance_memory_, contact_memory(i));
+    desk_.bear_wall_contact(i, action.stiffness);
     as_vec3(atom->f[i]) += action.force;
     as_vec3(atom->torque[i]) += action.moment_i;
     load_.force += action.normal_force;

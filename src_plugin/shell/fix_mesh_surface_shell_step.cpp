@@ -81,11 +81,7 @@ void FixMeshSurfaceShell::press(bool advance_memory)
     const int i = contacts_.grain(n);
     const double radius = atom->radius[i];
     const Vec3 center = as_vec3(atom->x[i]);
-    if (!(atom->mask[i] & groupbit)) continue;
-    if (!contacts_.touches(*model_, n, center, radius)) {
-      desk_.tell_near(i, atom->type[i], type_, radius);
-      continue;
-    }
+    if (!(atom->mask[i] & groupbit) || !contacts_.touches(*model_, n, center, radius)) continue;
     if (contacts_.is_behind(*model_))
       stop_from_rank(lmp, ("grain " + std::to_string(atom->tag[i]) +
                            " is on the wrong side of facet " + std::to_string(contacts_.facet()) +
@@ -103,6 +99,7 @@ void FixMeshSurfaceShell::press(bool advance_memory)
     const ContactAction action =
         resolve_contact<rolling>(stiffened(desk_.material(atom->type[i], type_), smooth), touch,
                                  update->dt, step, advance_memory, contact_memory(i));
+    desk_.bear_wall_contact(i, action.stiffness);
     as_vec3(atom->f[i]) += action.force;
     as_vec3(atom->torque[i]) += action.moment_i;
     const Vec3 shear = -action.force - action.normal_force * smooth.normal;
