@@ -6,7 +6,7 @@
 #include "host/find_fix.h"
 #include "host/gravity.h"
 #include "host/rank_sums.h"
-#include "host/stop_rank.h"
+#include "host/stop_run.h"
 #include "measure/coordination.h"
 #include "measure/love_weber.h"
 #include "measure/sphere_overlap.h"
@@ -340,7 +340,7 @@ void FixSpecimenHistory::write_row()
 
 void FixSpecimenHistory::stop_writing() const
 {
-  stop_from_rank(lmp, ("cannot write '" + file_.path() + "', free some space"));
+  stop_from_one_rank(lmp, ("cannot write '" + file_.path() + "', free some space"));
 }
 
 int FixSpecimenHistory::modify_param(int narg, char** arg)

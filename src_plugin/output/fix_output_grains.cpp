@@ -1,7 +1,7 @@
 #include "output/fix_output_grains.h"
 
 #include "core/input_error.h"
-#include "host/stop_rank.h"
+#include "host/stop_run.h"
 #include "output/whole_file.h"
 
 #include "memory.h"
@@ -207,7 +207,7 @@ void FixOutputGrains::write()
       !write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text())) {
     const std::string problem = "fix output/grains cannot write '" + folder_ + "/" + file +
                                 "', free some space or mend the folder's rights";
-    stop_from_rank(lmp, problem);
+    stop_from_one_rank(lmp, problem);
   }
 }
 

@@ -1,7 +1,7 @@
 // What `fix output/grains` keeps with each grain and with the run: moves, copies and restarts.
 #include "output/fix_output_grains.h"
 
-#include "host/stop_rank.h"
+#include "host/stop_run.h"
 #include "output/whole_file.h"
 
 #include "memory.h"
@@ -85,7 +85,7 @@ void FixOutputGrains::restart(char* buffer)
     if (std::filesystem::exists(folder_ + "/" + file)) collection_.add(time, file);
   written_ = std::strchr(buffer, ' ') != nullptr;
   if (comm->me == 0 && !write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text()))
-    stop_from_rank(lmp, ("cannot write into '" + folder_ + "', free some space"));
+    stop_from_one_rank(lmp, ("cannot write into '" + folder_ + "', free some space"));
 }
 
 double FixOutputGrains::memory_usage()

@@ -2,7 +2,7 @@
 
 #include "core/input_error.h"
 #include "host/rank_sums.h"
-#include "host/stop_rank.h"
+#include "host/stop_run.h"
 #include "output/whole_file.h"
 
 #include "signal_handling.h"
@@ -120,8 +120,8 @@ void FixOutputRestart::write()
   LAMMPS_NS::WriteRestart(lmp).write(part.data());
   written_step_ = update->ntimestep;
   if (comm->me == 0 && !(is_on_disk(part) && finish_file(file_)))
-    stop_from_rank(lmp, ("fix output/restart cannot write '" + file_ +
-                         "', free some space or mend the folder's rights"));
+    stop_from_one_rank(lmp, ("fix output/restart cannot write '" + file_ +
+                             "', free some space or mend the folder's rights"));
 }
 
 }  // namespace encased_column

@@ -2,7 +2,7 @@
 
 #include "core/input_error.h"
 #include "host/find_fix.h"
-#include "host/stop_rank.h"
+#include "host/stop_run.h"
 #include "output/vtk_sleeve_writer.h"
 #include "shell/fix_mesh_surface_shell.h"
 
@@ -130,8 +130,8 @@ void FixOutputSleeve::write_frame()
 
 void FixOutputSleeve::stop(const std::string& path) const
 {
-  stop_from_rank(lmp, ("fix output/sleeve cannot write '" + path +
-                       "', free some space or mend the folder's rights"));
+  stop_from_one_rank(lmp, ("fix output/sleeve cannot write '" + path +
+                           "', free some space or mend the folder's rights"));
 }
 
 /// Time and height, the positions compared with, then the series as text.

@@ -216,7 +216,8 @@ void FixMeshSurfaceShell::init()
 
 HeightWindow FixMeshSurfaceShell::window() const
 {
-  if (!platens_[0]) return {};
+  // Before the first run, and when a platen was taken away, everything counts.
+  if (!is_there(lmp, platens_[0]) || !is_there(lmp, platens_[1])) return {};
   return {platens_[1]->height(), platens_[0]->height()};
 }
 

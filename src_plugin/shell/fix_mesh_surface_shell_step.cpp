@@ -3,7 +3,7 @@
 #include "shell/fix_mesh_surface_shell.h"
 
 #include "host/rank_sums.h"
-#include "host/stop_rank.h"
+#include "host/stop_run.h"
 #include "servo/fix_servo_platen.h"
 #include "shell/enclosed_volume.h"
 #include "shell/level_cut.h"
@@ -83,10 +83,11 @@ void FixMeshSurfaceShell::press(bool advance_memory)
     const Vec3 center = as_vec3(atom->x[i]);
     if (!(atom->mask[i] & groupbit) || !contacts_.touches(*model_, n, center, radius)) continue;
     if (contacts_.is_behind(*model_))
-      stop_from_rank(lmp, ("grain " + std::to_string(atom->tag[i]) +
-                           " is on the wrong side of facet " + std::to_string(contacts_.facet()) +
-                           " of sleeve '" + id + "' at step " + std::to_string(update->ntimestep) +
-                           ", load more slowly or raise the contact modulus of the sleeve"));
+      stop_from_one_rank(
+          lmp, ("grain " + std::to_string(atom->tag[i]) + " is on the wrong side of facet " +
+                std::to_string(contacts_.facet()) + " of sleeve '" + id + "' at step " +
+                std::to_string(update->ntimestep) +
+                ", load more slowly or raise the contact modulus of the sleeve"));
     const SmoothTouch& smooth = contacts_.touch();
     const Vec3 point = center + contact_arm(radius, smooth.overlap) * smooth.normal;
     const SurfaceMotion surface = rigid_ ? SurfaceMotion{Vec3::Zero(), Vec3::Zero()}
@@ -158,7 +159,8 @@ void FixMeshSurfaceShell::check()
 {
   auto fault = fault_of_facets(*model_, first_, last_, strain_limit_);
   if (!fault && comm->me == 0) fault = fault_of_pairs(*model_, pairs_);
-  if (fault) stop_from_rank(lmp, ("at step " + std::to_string(update->ntimestep) + " " + *fault));
+  if (fault)
+    stop_from_one_rank(lmp, ("at step " + std::to_string(update->ntimestep) + " " + *fault));
   if (rupture_ <= 0.0 || rupture_told_) return;
   const double tension = summary().hoop_tension_max;
   if (tension <= rupture_) return;

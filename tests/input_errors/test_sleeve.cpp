@@ -131,7 +131,7 @@ TEST(Sleeve, RefusesThePlatensTheWrongWayRound)
 TEST(Sleeve, RefusesAPressureThatRampsOverNoSteps)
 {
   expect_no_sleeve(mesh + platens + material + " pressure 50e3 ramp 0",
-                   "'ramp' must be at least 1, found 0");
+                   "'ramp' must be 1 or larger, found 0");
   expect_no_sleeve(mesh + platens + material + " ramp 100",
                    "'ramp' goes with 'pressure', found it alone, write 'pressure 50e3 ramp 1000'");
 }
@@ -205,15 +205,25 @@ TEST(Sleeve, RefusesAStepTooLongForTrueMasses)
                    "the step of 1 s is longer than the sleeve's stable ");
 }
 
+TEST(Sleeve, RefusesAGrainOutsideIt)
+{
+  expect_no_sleeve(mesh + platens + material, "grain 2 is on the wrong side of facet ",
+                   "create_atoms 1 single 0.053 0 0.1 units box\n"
+                   "set group all diameter 0.01 density 2500\n");
+}
+
 // Here the run has begun: what counts is that it ends, with the reason.
 TEST(Sleeve, EndsTheRunWhenItIsStrainedBeyondItsLimit)
 {
-  const Outcome outcome =
-      run_deck(opening_deck("empty_cylinder") + grain + "fix side all mesh/surface/shell" + mesh +
-               platens + material + " pressure -200e3 strain_limit 0.05" + walls + "run 4000\n");
-  EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_TRUE(
-      outcome.says(", the 'strain_limit' is 0.05, slow the loading, look at the sleeve "
-                   "there or write a larger limit"))
-      << outcome.output;
+  for (const int ranks : {1, 2}) {
+    const Outcome outcome = run_deck(
+        opening_deck("empty_cylinder") + grain + "fix side all mesh/surface/shell" + mesh +
+            platens + material + " pressure -200e3 strain_limit 0.05" + walls + "run 4000\n",
+        ranks);
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_TRUE(
+        outcome.says(", the 'strain_limit' is 0.05, slow the loading, look at the sleeve "
+                     "there or write a larger limit"))
+        << outcome.output;
+  }
 }

@@ -6,7 +6,8 @@
 
 namespace encased_column::testing {
 
-// The specimen of specimen_deck.h in a sleeve in place of the cylinder; grains roll against all.
+// The specimen of specimen_deck.h in a sleeve in place of the cylinder, with room for a platen that
+// the packing pushes out; grains roll against all walls.
 
 inline std::string with_line(std::string deck, const std::string& begin, const std::string& line)
 {
@@ -19,8 +20,8 @@ inline std::string with_line(std::string deck, const std::string& begin, const s
 inline std::string materials_and_sleeve(const std::string& more)
 {
   const std::string sleeve =
-      "fix side all mesh/surface/shell cylinder 0.025 0 0.05 edge 0.006 type 3 platens top bottom "
-      "modulus 11.5e6 poisson 0.3 thickness 2e-3 density 30 " +
+      "fix side all mesh/surface/shell cylinder 0.025 -0.005 0.055 edge 0.006 type 3 platens top "
+      "bottom modulus 11.5e6 poisson 0.3 thickness 2e-3 density 30 " +
       more;
   return with_line(with_line(materials_and_walls, "fix            side", sleeve),
                    "fix            rolling",

@@ -72,6 +72,6 @@ TEST(EncasedRestart, RefusesTheFileOfAnotherMesh)
   const Outcome outcome = run_deck(
       std::string(deck).replace(deck.find("edge 0.006"), 10, "edge 0.008"), 1, folder.path());
   EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_TRUE(outcome.says("the sleeve of the restart file has 286 nodes, this one "))
+  EXPECT_TRUE(outcome.says("the sleeve of the restart file has 338 nodes, this one "))
       << outcome.output;
 }

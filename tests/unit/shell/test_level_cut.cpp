@@ -68,6 +68,21 @@ TEST(LevelCut, AreaOfALetterLIsThatOfItsTwoBars)
   EXPECT_NEAR(area_at_level(mesh.facet, mesh.node, 0.5), 4.0, 1e-14);
 }
 
+TEST(LevelCut, PiecesRunAnticlockwiseAndJoinUp)
+{
+  const SurfaceMesh mesh = prism(regular_polygon(7, 0.05));
+  Vec3 ends = Vec3::Zero();
+  int pieces = 0;
+  cut_at_level(mesh.facet, mesh.node, 0.4, [&](const Vec3& a, const Vec3& b) {
+    EXPECT_GT(a.x() * b.y() - a.y() * b.x(), 0.0);
+    EXPECT_DOUBLE_EQ(a.z(), 0.4);
+    ends += b - a;
+    ++pieces;
+  });
+  EXPECT_EQ(pieces, 14);
+  EXPECT_LT(ends.norm(), 1e-15);
+}
+
 TEST(LevelCut, AboveAndBelowTheSurfaceThereIsNothing)
 {
   const SurfaceMesh mesh = prism(letter_l);

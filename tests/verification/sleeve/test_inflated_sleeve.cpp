@@ -57,7 +57,7 @@ std::array<double, 3> displacements(double poisson)
           "fix bottom all servo/platen position bottom z 0 side side type 2\n"
           "fix move all motion step 1.0\n"
           "fix history all specimen/history platens top bottom side side motion move every 500\n"
-          "run 0\nfix_modify side pressure -50\nrun 2000\n",
+          "run 0\nfix_modify side pressure -50\nrun 3000\n",
       1, folder.path());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   const CsvTable history(folder.path() / "history.csv");

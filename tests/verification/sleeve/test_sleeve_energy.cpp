@@ -4,34 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 
 using namespace encased_column::testing;
 
-namespace {
-
-/// Energy [J] that the specimen has, less what came in, plus what was lost, row by row.
-std::vector<double> balance(const CsvTable& history)
-{
-  std::vector<double> sum(history.rows(), 0.0);
-  const auto add = [&](const char* name, double sign) {
-    const std::vector<double> column = history.column(name);
-    for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += sign * column[n];
-  };
-  for (const char* gain : {"energy_elastic [J]", "energy_kinetic [J]", "loss_friction [J]",
-                           "loss_rolling [J]", "loss_dashpots [J]", "loss_damping [J]"})
-    add(gain, 1.0);
-  for (const char* work : {"work_platens [J]", "work_side [J]", "work_gravity [J]"})
-    add(work, -1.0);
-  return sum;
-}
-
-}  // namespace
-
 // Sixteen grains between two platens in a sleeve with free ends, pressed by 5 kPa from outside and
-// then shaken for ever, since nothing damps: what the pressure did stays in the specimen.
-TEST(SleeveEnergy, DoesNotGrowOver100000StepsWithoutDamping)
+// then shaken with nothing that damps: only friction takes what they had and the pressure gave. The
+// error is of the step's length: a quarter of it at a quarter of the step. With surface velocities
+// that are not those of the friction's work it was 0.11, and 0.67 with held ends.
+TEST(SleeveEnergy, ClosesOver100000StepsWithoutDamping)
 {
   const TemporaryFolder folder;
   const Outcome outcome = run_deck(
@@ -47,15 +29,11 @@ TEST(SleeveEnergy, DoesNotGrowOver100000StepsWithoutDamping)
       1, folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const CsvTable history(folder.path() / "history.csv");
-  const std::vector<double> sum = balance(history);
-  const std::vector<double> elastic = history.column("energy_elastic [J]"),
-                            kinetic = history.column("energy_kinetic [J]");
-  double at_hand = 0.0, worst = 0.0;
-  for (std::size_t n = 5; n < sum.size(); ++n)
-    at_hand += (elastic[n] + kinetic[n]) / static_cast<double>(sum.size() - 5);
-  for (const double s : sum) worst = std::max(worst, std::abs(s - sum[0]) / at_hand);
-  std::printf("sleeve with grains: balance off by %.5f of %.2e J at hand\n", worst, at_hand);
-  EXPECT_GT(kinetic.back(), 0.01 * at_hand) << "it still moves";
+  const std::vector<double> error = history.column("energy_error [-]");
+  const double worst = *std::max_element(error.begin(), error.end());
+  std::printf("sleeve with grains, undamped: energy error %.4f, %.3f J lost by friction\n", worst,
+              history.column("loss_friction [J]").back());
+  EXPECT_GT(history.column("energy_kinetic [J]").back(), 1e-4) << "it still moves";
   EXPECT_LT(worst, 0.02);
 }
 
