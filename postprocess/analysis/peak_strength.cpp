@@ -26,20 +26,13 @@ PeakStrength peak_strength(const SampledCurve& deviatoric_stress)
   return peak;
 }
 
-double secant_modulus(const SampledCurve& deviatoric_stress, double peak)
+std::optional<double> secant_modulus(const SampledCurve& deviatoric_stress, double peak)
 {
   const std::vector<double>& q = deviatoric_stress.y();
   const std::vector<double>& strain = deviatoric_stress.x();
   const double half = 0.5 * peak;
-  if (q.front() >= half)
-    throw InputError("E50 takes a test that starts below half of its peak, found " +
-                     in_words(q.front()) + " Pa at the start and a peak of " + in_words(peak) +
-                     " Pa, sample the start of shear more often");
   const auto above = std::find_if(q.begin(), q.end(), [half](double each) { return each >= half; });
-  if (above == q.end())
-    throw InputError("E50 takes a curve that reaches half of its peak of " + in_words(peak) +
-                     " Pa, found at most " + in_words(*std::max_element(q.begin(), q.end())) +
-                     " Pa, give the peak of the same curve");
+  if (above == q.begin() || above == q.end()) return std::nullopt;
   const std::size_t i = above - q.begin();
   const double part = (half - q[i - 1]) / (q[i] - q[i - 1]);
   return half / (strain[i - 1] + part * (strain[i] - strain[i - 1]));

@@ -2,6 +2,8 @@
 
 #include "analysis/sampled_curve.h"
 
+#include <optional>
+
 namespace encased_column {
 
 /// Width [-] of axial strain over which a noisy curve is averaged for its peak.
@@ -27,7 +29,8 @@ struct PeakStrength {
 PeakStrength peak_strength(const SampledCurve& deviatoric_stress);
 
 /// Secant modulus E50 [Pa]: half of `peak` [Pa] over the axial strain at which the curve first
-/// reaches it, linear between samples. Throws InputError if the first sample is above that half.
-double secant_modulus(const SampledCurve& deviatoric_stress, double peak);
+/// reaches it, linear between samples. Nothing if the first sample is above that half already or
+/// none reaches it.
+std::optional<double> secant_modulus(const SampledCurve& deviatoric_stress, double peak);
 
 }  // namespace encased_column

@@ -59,7 +59,7 @@ Panel radial_strain(const NamedTest& named, const Targets& targets)
   return panel;
 }
 
-Panel platens(const NamedTest& named, const std::vector<SetResult>& sets)
+Panel platens(const NamedTest& named)
 {
   const TestResult& test = *named.test;
   Panel panel{
@@ -74,7 +74,7 @@ Panel platens(const NamedTest& named, const std::vector<SetResult>& sets)
   Series theory{"Kp (σ₃ + T/r) − σ₃", {}, {}, black, Stroke::dashed};
   for (int i = 1; 0.005 * i < test.axial_strain.back() + 1e-3; ++i) {
     const double at = 0.005 * i;
-    const auto state = sleeve_state(test, sets, at);
+    const auto state = sleeve_state(test, at);
     if (!state || !state->q_theory) continue;
     theory.x.push_back(100.0 * at);
     theory.y.push_back(*state->q_theory / 1e3);
@@ -128,7 +128,7 @@ void draw_sleeve_figures(const std::filesystem::path& folder, const std::vector<
   std::vector<Panel> strains, stresses, profiles, tensions;
   for (const NamedTest& named : encased_tests(sets)) {
     strains.push_back(radial_strain(named, targets));
-    stresses.push_back(platens(named, sets));
+    stresses.push_back(platens(named));
     if (named.test->sleeve) tensions.push_back(hoop_tension(named, targets.strip_limit()));
     const Panel profile = radial_profile(named);
     if (!profile.series.empty()) profiles.push_back(profile);

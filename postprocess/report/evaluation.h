@@ -28,8 +28,8 @@ struct TestResult {
   std::vector<double> deviatoric_stress;  ///< of `platen` [Pa]
   std::vector<double> volumetric_strain;  ///< [-]
   PeakStrength peak;
-  double secant_modulus;    ///< E50 [Pa]
-  StressPoint peak_stress;  ///< with the confining stress measured at the peak
+  std::optional<double> secant_modulus;  ///< E50 [Pa]
+  StressPoint peak_stress;               ///< with the confining stress measured at the peak
   ShearRecord record;
   std::vector<Check> checks;
   std::optional<long> grains;

@@ -95,8 +95,9 @@ std::vector<ResultRow> result_rows(const SetResult& set, const Targets& targets)
     return confining_condition(test.run->confining_stress);
   };
   for (const TestResult& test : set.tests)
-    rows.push_back({test.run->id, "secant modulus E50", "MPa", test.secant_modulus / 1e6, 2,
-                    targets.find(set.set, "secant modulus E50", condition(test))});
+    if (test.secant_modulus)
+      rows.push_back({test.run->id, "secant modulus E50", "MPa", *test.secant_modulus / 1e6, 2,
+                      targets.find(set.set, "secant modulus E50", condition(test))});
   for (const TestResult& test : set.tests)
     rows.push_back({test.run->id, "peak deviator q", "kPa", test.peak.reported / 1e3, 1,
                     targets.find(set.set, "peak deviator q", condition(test))});
@@ -128,6 +129,8 @@ std::vector<std::string> result_notes(const SetResult& set)
     if (test.peak.noisy)
       notes.push_back("Peak of " + test.run->id + ": the largest average over 0.5 % strain; " +
                       "single samples reach " + fixed(test.peak.raw / 1e3, 1) + " kPa.");
+    if (!test.secant_modulus)
+      notes.push_back("No E50 of " + test.run->id + ": it starts shear above half of its peak.");
     if (test.peak.axial_strain >= test.axial_strain.back() - peak_averaging_width)
       notes.push_back("Peak of " + test.run->id + ": at the end of the test, " +
                       fixed(100.0 * test.axial_strain.back(), 1) +

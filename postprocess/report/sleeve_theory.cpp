@@ -8,6 +8,7 @@ namespace encased_column {
 
 namespace {
 
+const std::string core_axial = "core_axial_stress [Pa]", core_radial = "core_radial_stress [Pa]";
 constexpr double reached_within = 1e-3;  // of axial strain: a last sample may miss the round number
 
 bool reaches(const std::vector<double>& strains, double strain)
@@ -29,29 +30,20 @@ double initial_radius(const CaseRun& run)
   return found != run.variables.end() ? found->second : run.history.numbers("radius [m]").front();
 }
 
-/// Mean of the friction angles [rad] the plain tests mobilise, for tests of `resolution`.
-std::optional<double> mobilised_angle(const std::vector<SetResult>& sets,
-                                      const std::string& resolution, double strain)
+/// The angle of friction [rad] that the grains of the middle third mobilise, where the history has
+/// their stress.
+std::optional<double> mobilised_angle(const TestResult& test, double strain)
 {
-  double sum = 0.0;
-  int count = 0;
-  for (const SetResult& set : sets)
-    for (const TestResult& test : set.tests) {
-      if (test.run->encased() || test.run->resolution != resolution) continue;
-      if (!reaches(test.axial_strain, strain)) continue;
-      const double q = mean_at(strain, test.axial_strain, test.deviatoric_stress);
-      const double sigma3 = mean_at(strain, test.axial_strain, test.record.confining_stress);
-      sum += std::asin(mobilised_sine(q, sigma3));
-      ++count;
-    }
-  if (count == 0) return std::nullopt;
-  return sum / count;
+  const TextTable& history = test.run->history;
+  if (!history.has(core_axial) || !history.has(core_radial)) return std::nullopt;
+  const double axial = mean_at(strain, test.axial_strain, history.numbers(core_axial));
+  const double radial = mean_at(strain, test.axial_strain, history.numbers(core_radial));
+  return std::asin(mobilised_sine(axial - radial, radial));
 }
 
 }  // namespace
 
-std::optional<SleeveState> sleeve_state(const TestResult& test, const std::vector<SetResult>& sets,
-                                        double axial_strain)
+std::optional<SleeveState> sleeve_state(const TestResult& test, double axial_strain)
 {
   if (!test.sleeve || !reaches(test.axial_strain, axial_strain) ||
       !reaches(test.sleeve->axial_strain, axial_strain))
@@ -78,7 +70,7 @@ std::optional<SleeveState> sleeve_state(const TestResult& test, const std::vecto
                     radius,
                     confinement_of_ring(tension, radius),
                     friction_share(at_sleeve(test.sleeve->friction_force), top, bottom, area),
-                    mobilised_angle(sets, test.run->resolution, axial_strain),
+                    mobilised_angle(test, axial_strain),
                     std::nullopt};
   if (state.friction_angle)
     state.q_theory = encased_deviatoric_stress(passive_coefficient(std::sin(*state.friction_angle)),

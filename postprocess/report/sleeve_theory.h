@@ -16,14 +16,12 @@ struct SleeveState {
   double radius;             ///< mean of the sleeve, from its hoop strain [m]
   double extra_confinement;  ///< hoop tension over radius [Pa]
   double friction_share;     ///< of the larger platen force that goes into the sleeve [-]
-  std::optional<double> friction_angle;  ///< mobilised by the plain tests, their mean [rad]
+  std::optional<double> friction_angle;  ///< mobilised in the middle third [rad]
   std::optional<double> q_theory;        ///< see encased_deviatoric_stress() [Pa]
 };
 
-/// `test` at `axial_strain`, beside the plain tests among `sets` of the same resolution that got as
-/// far. Nothing if the test did not get there or has no sleeve record; without plain tests there is
-/// no theory.
-std::optional<SleeveState> sleeve_state(const TestResult& test, const std::vector<SetResult>& sets,
-                                        double axial_strain);
+/// `test` at `axial_strain`. Nothing if the test did not get there or has no sleeve record; no
+/// theory if its history has no stress of the middle third.
+std::optional<SleeveState> sleeve_state(const TestResult& test, double axial_strain);
 
 }  // namespace encased_column

@@ -50,7 +50,7 @@ Rows theory_rows(const std::vector<SetResult>& sets)
   for (const SetResult& set : sets)
     for (const TestResult& test : set.tests)
       for (const double strain : {0.05, 0.10, 0.15, 0.20})
-        if (const auto state = sleeve_state(test, sets, strain))
+        if (const auto state = sleeve_state(test, strain))
           rows.push_back(as_words(test.run->id, *state));
   return rows;
 }
@@ -65,8 +65,9 @@ std::string theory_text(const std::vector<SetResult>& sets)
   right.front() = false;
   return "\nEncased tests beside q = Kp (sigma3 + dsigma3) - sigma3, dsigma3 = T / r\n\n" +
          aligned(rows, right) +
-         "T: mean hoop tension; r: radius from the mean hoop strain; phi: mobilised by the plain "
-         "tests at that strain;\nfriction share: of the larger platen force, taken by the sleeve "
+         "T: mean hoop tension; r: radius from the mean hoop strain; phi: mobilised by the "
+         "grains of the middle third;\nfriction share: of the larger platen force, taken by the "
+         "sleeve "
          "along its axis.\n";
 }
 
