@@ -1,15 +1,16 @@
 #pragma once
 
 #include "contact/model_linear.h"
+#include "contact/pair_list.h"
 
 #include "neigh_list.h"
 
 namespace encased_column {
 
-/// The linear law's own loop over pairs. The host's loop fills two records of some sixty numbers
-/// for every listed pair, touching or not; this one looks at the distance first. Where something is
-/// wanted that only the host's loop offers (virial, contact lists), that one runs, with the same
-/// law.
+/// The linear law's own loop over pairs, and its own list of them. The host's loop fills two
+/// records of some sixty numbers for every listed pair, touching or not; this one looks at the
+/// distance first. Where something is wanted that only the host's loop offers (virial, contact
+/// lists), that one runs, with the same law.
 template <int rolling>
 class PairLinear
     : public LIGGGHTS::PairStyles::Granular<
@@ -22,7 +23,9 @@ class PairLinear
   PairLinear(LAMMPS_NS::LAMMPS* lmp, PairGran* parent, int64_t hash)
       : HostLoop(lmp, parent, hash),
         lmp_(lmp),
-        desk_(lmp)
+        parent_(parent),
+        desk_(lmp),
+        list_(lmp)
   {
   }
 
@@ -31,10 +34,12 @@ class PairLinear
     HostLoop::init_granular();
     desk_.open(rolling != LIGGGHTS::ContactModels::ROLLING_OFF);
     memory_ = this->get_history_offset("contact_memory");
+    list_.take_over(parent_);
   }
 
   void compute_force(PairGran* pair, int eflag, int vflag, int addflag) override
   {
+    list_.update(pair);
     if (wants_host_loop(pair, eflag, vflag)) {
       HostLoop::compute_force(pair, eflag, vflag, addflag);
       return;
@@ -136,7 +141,9 @@ class PairLinear
   static constexpr int touching = LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL |
                                   LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
   LAMMPS_NS::LAMMPS* lmp_;
+  PairGran* parent_;
   ContactDesk desk_;
+  PairList list_;
   int memory_ = 0;
 };
 

@@ -1,0 +1,70 @@
+#include "contact/grain_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace encased_column {
+
+namespace {
+
+constexpr int most_levels = 8;        ///< the last one takes all that are smaller still
+constexpr long cells_per_sphere = 8;  ///< more would cost more to clear than they save
+constexpr long cells_at_least = 4096;
+
+}  // namespace
+
+void GrainGrid::Level::lay_grid(const std::vector<Sphere>& spheres, double finest_size)
+{
+  Vec3 low = as_vec3(spheres.front().center), high = low;
+  for (const Sphere& sphere : spheres) {
+    low = low.cwiseMin(as_vec3(sphere.center));
+    high = high.cwiseMax(as_vec3(sphere.center));
+  }
+  corner = low;
+  const long most = std::max(cells_at_least, cells_per_sphere * static_cast<long>(spheres.size()));
+  for (size = finest_size;; size *= 1.26) {  // twice the volume of a cube
+    double wanted = 1.0;
+    for (int a = 0; a < 3; ++a) wanted *= std::floor((high(a) - low(a)) / size) + 1.0;
+    if (wanted <= static_cast<double>(most)) break;
+  }
+  for (int a = 0; a < 3; ++a) cells[a] = static_cast<int>((high(a) - low(a)) / size) + 1;
+}
+
+void GrainGrid::Level::sort(const std::vector<Sphere>& spheres)
+{
+  begin.assign(static_cast<std::size_t>(cells[0]) * cells[1] * cells[2] + 2, 0);
+  // Counted two places on, begin[c + 1] runs from the first to the end of cube c while it is
+  // filled.
+  for (const Sphere& sphere : spheres) ++begin[cell_of(sphere) + 2];
+  for (std::size_t c = 2; c < begin.size(); ++c) begin[c] += begin[c - 1];
+  sorted.resize(spheres.size());
+  for (const Sphere& sphere : spheres) sorted[begin[cell_of(sphere) + 1]++] = sphere;
+}
+
+void GrainGrid::sort(const double* centers, const double* radii, int count, double factor,
+                     double margin)
+{
+  factor_ = factor;
+  margin_ = margin;
+  classes_.resize(most_levels);
+  for (auto& spheres : classes_) spheres.clear();
+  const double largest = count > 0 ? *std::max_element(radii, radii + count) : 0.0;
+  for (int i = 0; i < count; ++i) {
+    const int level = std::min(most_levels - 1, std::ilogb(largest / radii[i]));
+    const double* x = centers + 3 * i;
+    classes_[level].push_back({{x[0], x[1], x[2]}, radii[i], i});
+  }
+  std::size_t used = 0;
+  for (const auto& spheres : classes_) {
+    if (spheres.empty()) continue;
+    if (used == levels_.size()) levels_.emplace_back();
+    Level& level = levels_[used++];
+    level.largest = 0.0;
+    for (const Sphere& sphere : spheres) level.largest = std::max(level.largest, sphere.radius);
+    level.lay_grid(spheres, 2.0 * factor * level.largest + margin);
+    level.sort(spheres);
+  }
+  levels_.resize(used);
+}
+
+}  // namespace encased_column

@@ -1,0 +1,89 @@
+#include "contact/pair_list.h"
+
+#include "fix_contact_history.h"
+#include "neigh_list.h"
+#include "neigh_request.h"
+#include "pair_gran.h"
+#include "timer.h"
+
+#include <algorithm>
+#include <string>
+
+namespace encased_column {
+
+void PairList::take_over(LAMMPS_NS::PairGran* pair)
+{
+  built_ = {-1, -1};
+  taken_over_ = !host_list_is_needed();
+  if (!taken_over_) return;
+  LAMMPS_NS::Neighbor* neighbor = lmp_->neighbor;
+  for (int n = 0; n < neighbor->nrequest; ++n)
+    if (neighbor->requests[n]->requestor == pair) neighbor->requests[n]->occasional = 1;
+}
+
+// Walls of the host find grains in its bins, which are filled when it has a list to build.
+bool PairList::host_list_is_needed() const
+{
+  constexpr int bins = 1;
+  if (lmp_->neighbor->style != bins || lmp_->neighbor->exclude_setting() ||
+      lmp_->neighbor->includegroup || std::string(lmp_->force->pair_style) != "gran")
+    return true;
+  for (int n = 0; n < lmp_->modify->nfix; ++n)
+    if (std::string(lmp_->modify->fix[n]->style) == "neighlist/mesh") return true;
+  return false;
+}
+
+void PairList::build(LAMMPS_NS::PairGran* pair)
+{
+  const LAMMPS_NS::Atom* atom = lmp_->atom;
+  const LAMMPS_NS::Neighbor* neighbor = lmp_->neighbor;
+  LAMMPS_NS::NeighList& list = *pair->list;
+  LAMMPS_NS::NeighList& touches = *list.listgranhistory;
+  LAMMPS_NS::FixContactHistory& partners = *list.fix_history;
+  if (list.get_maxlocal() < atom->nmax) list.grow(atom->nmax);
+  if (touches.get_maxlocal() < atom->nmax) touches.grow(atom->nmax);
+  list.ipage->reset();
+  touches.ipage->reset();
+  touches.dpage->reset();
+  const int owned = atom->nlocal, all = owned + atom->nghost, numbers = touches.dnum;
+  grid_.sort(all ? atom->x[0] : nullptr, atom->radius, all, neighbor->contactDistanceFactor,
+             neighbor->skin);
+
+  for (int i = 0; i < owned; ++i) {
+    int* const found = list.ipage->vget();
+    int* const touching = touches.ipage->vget();
+    double* const memory = touches.dpage->vget();
+    const int known = partners.n_partner(i);
+    int count = 0;
+    grid_.near(as_vec3(atom->x[i]), atom->radius[i], i + 1, [&](int j) {
+      if (count == list.oneatom)
+        lmp_->error->one(FLERR, ("a grain has more than " + std::to_string(count) +
+                                 " neighbours, write 'neigh_modify one' with a larger number and "
+                                 "'page' with 10 times that")
+                                    .c_str());
+      int m = 0;
+      while (m < known && partners.partner(i, m) != atom->tag[j]) ++m;
+      double* const its_memory = memory + count * numbers;
+      if (m < known)
+        std::copy_n(partners.contacthistory(i, m), numbers, its_memory);
+      else
+        std::fill_n(its_memory, numbers, 0.0);
+      touching[count] = m < known;
+      found[count++] = j;
+    });
+    list.ilist[i] = i;
+    list.numneigh[i] = count;
+    list.firstneigh[i] = found;
+    touches.firstneigh[i] = touching;
+    touches.firstdouble[i] = memory;
+    list.ipage->vgot(count);
+    touches.ipage->vgot(count);
+    touches.dpage->vgot(count * numbers);
+  }
+  list.inum = owned;
+  list.gnum = 0;
+  built_ = built();
+  lmp_->timer->stamp(TIME_NEIGHBOR);
+}
+
+}  // namespace encased_column

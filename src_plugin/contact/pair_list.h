@@ -1,0 +1,47 @@
+#pragma once
+
+#include "contact/grain_grid.h"
+#include "host/host_types.h"
+
+#include <utility>
+
+namespace LAMMPS_NS {
+class PairGran;
+}
+
+namespace encased_column {
+
+/// Makes the neighbour list of the linear law's pairs in place of the host, whose one grid serves
+/// grains of 15 to 1 badly: the same pairs, in the host's own list and contact history.
+///
+/// The host builds no list that is asked for as occasional; this object asks so for the pair
+/// style's and fills it before the first force after each of the host's builds.
+class PairList {
+ public:
+  explicit PairList(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
+
+  /// At the start of a run, after `pair` asked for its lists. Where something else lives on the
+  /// host's own build or its bins (meshes of the host, exclusions), nothing changes.
+  void take_over(LAMMPS_NS::PairGran* pair);
+
+  /// Before forces: makes the list if it is not there yet.
+  void update(LAMMPS_NS::PairGran* pair)
+  {
+    if (taken_over_ && built() != built_) build(pair);
+  }
+
+ private:
+  using Build = std::pair<LAMMPS_NS::bigint, LAMMPS_NS::bigint>;
+
+  /// Number and step of the host's last build.
+  Build built() const { return {lmp_->neighbor->ncalls, lmp_->neighbor->lastcall}; }
+  bool host_list_is_needed() const;
+  void build(LAMMPS_NS::PairGran* pair);
+
+  LAMMPS_NS::LAMMPS* lmp_;
+  bool taken_over_ = false;
+  Build built_{-1, -1};
+  GrainGrid grid_;
+};
+
+}  // namespace encased_column

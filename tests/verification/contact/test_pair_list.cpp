@@ -1,0 +1,58 @@
+// Our own list of pairs against the host's, in the same run otherwise.
+#include "verification/contact/grain_deck.h"
+
+#include <gtest/gtest.h>
+
+using namespace encased_column::testing;
+
+namespace {
+
+/// 1 400 grains of 4 to 16 mm grow until they overlap by gravity and each other, with friction,
+/// over many lists; more ranks than one have ghosts.
+std::string growing_grains(const std::string& wall)
+{
+  return opening_deck("empty_cylinder") +
+         "print \"diameter_low [m],diameter_high [m],mass_percent [%]\" file gravel.csv\n"
+         "print \"0.004,0.008,40\" append gravel.csv\n"
+         "print \"0.008,0.016,60\" append gravel.csv\n" +
+         wall +
+         "create_packing gradation gravel.csv cylinder 0.05 0 0.1 porosity 0.3 density 1738 type 1 "
+         "seed 1\n"
+         "fix grow all grow/radius from 0.5 stages 40 relax 10\n"
+         "fix low all wall/gran model linear tangential history primitive type 2 zplane 0.0\n"
+         "fix gravity all gravity 9.8 vector 0 0 -1\n"
+         "fix move all motion step 1.0 every 10\n"
+         "thermo 100000\n"
+         "run 250\n" +
+         print_numbers("f_move[1] f_move[5] f_move[6] z[1] vz[7] fx[100]");
+}
+
+// A triangle of the host's out of reach: with a mesh of the host's there, its list is made.
+const std::string host_mesh =
+    "create_wall_mesh file far.stl shape square half_width 0.002 z 0.205 edge 0.002\n"
+    "fix far all mesh/surface file far.stl type 2\n"
+    "fix far_wall all wall/gran model linear tangential history mesh n_meshes 1 meshes far\n";
+
+void expect_same_as_the_host(int ranks)
+{
+  const TemporaryFolder folder;
+  const Outcome ours = run_deck(growing_grains(""), ranks, folder.path());
+  const Outcome hosts = run_deck(growing_grains(host_mesh), ranks, folder.path());
+  ASSERT_EQ(ours.exit_code, 0) << ours.output;
+  ASSERT_EQ(hosts.exit_code, 0) << hosts.output;
+  EXPECT_GT(ours.value("f_move[6]"), 2000.0);
+  for (const char* name : {"f_move[1]", "f_move[5]", "f_move[6]", "z[1]", "vz[7]", "fx[100]"})
+    EXPECT_NEAR(ours.value(name), hosts.value(name), 1e-9 * std::abs(hosts.value(name))) << name;
+}
+
+}  // namespace
+
+TEST(PairList, GivesTheForcesOfTheHostsList)
+{
+  expect_same_as_the_host(1);
+}
+
+TEST(PairList, GivesTheForcesOfTheHostsListOnTwoRanks)
+{
+  expect_same_as_the_host(2);
+}
