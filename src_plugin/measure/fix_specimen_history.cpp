@@ -246,12 +246,11 @@ void FixSpecimenHistory::check_grains(const Sums& sums)
                       std::to_string(static_cast<long>(sums.grains)) + " are left at step " +
                       std::to_string(update->ntimestep) + ", enlarge the box or slow the walls")
                          .c_str());
-  double outside = 0.0;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    const double* x = atom->x[i];
-    if (x[2] < bottom_->height() || x[2] > top_->height() || !side_->holds(x)) outside += 1.0;
-  }
-  outside = sum_over_ranks(outside, world);
+  const double outside = sum_over_ranks(
+      atom->nlocal == 0
+          ? 0.0
+          : side_->count_outside(atom->x[0], atom->nlocal, bottom_->height(), top_->height()),
+      world);
   if (outside > 0.0)
     error->fix_error(
         FLERR, this,

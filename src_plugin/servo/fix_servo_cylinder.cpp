@@ -60,9 +60,13 @@ double FixServoCylinder::enclosed_volume(double z_low, double z_high) const
   return cylinder_.cross_section() * (z_high - z_low);
 }
 
-bool FixServoCylinder::holds(const double* center) const
+int FixServoCylinder::count_outside(const double* centers, int count, double z_low,
+                                    double z_high) const
 {
-  return cylinder_.overlap(center, 0.0) < 0.0;
+  int outside = 0;
+  for (const double* x = centers; x != centers + 3 * count; x += 3)
+    outside += x[2] < z_low || x[2] > z_high || cylinder_.overlap(x, 0.0) >= 0.0;
+  return outside;
 }
 
 double FixServoCylinder::compute_vector(int n)

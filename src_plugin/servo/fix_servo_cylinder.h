@@ -22,7 +22,7 @@ class FixServoCylinder : public RigidWall, public SpecimenSide {
   double radius_at(double) const override { return cylinder_.radius; }
   double confining_stress() const override;
   double work() const override { return work_on_grains(); }
-  bool holds(const double* center) const override;
+  int count_outside(const double* centers, int count, double z_low, double z_high) const override;
 
  protected:
   void find_partners() override;

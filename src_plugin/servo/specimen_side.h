@@ -23,8 +23,10 @@ class SpecimenSide {
   virtual double stored_energy() const { return 0.0; }
   virtual double kinetic_energy() const { return 0.0; }
   virtual double damping_loss() const { return 0.0; }
-  /// True where a grain with this center [m] is on the inner side.
-  virtual bool holds(const double* center) const = 0;
+  /// How many of `count` grains with `centers` in a row of triples [m] are not on the inner side
+  /// between the two heights [m].
+  virtual int count_outside(const double* centers, int count, double z_low,
+                            double z_high) const = 0;
 };
 
 }  // namespace encased_column

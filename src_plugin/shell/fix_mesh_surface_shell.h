@@ -46,7 +46,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   double stored_energy() const override;
   double kinetic_energy() const override;
   double damping_loss() const override { return damping_loss_; }
-  bool holds(const double* center) const override;
+  int count_outside(const double* centers, int count, double z_low, double z_high) const override;
 
   const ShellModel& model() const { return *model_; }
   /// Center line of the sleeve, x and y [m].

@@ -189,9 +189,14 @@ double FixMeshSurfaceShell::radius_at(double z) const
   return std::sqrt(cross_section(z) / pi);
 }
 
-bool FixMeshSurfaceShell::holds(const double* center) const
+int FixMeshSurfaceShell::count_outside(const double* centers, int count, double z_low,
+                                       double z_high) const
 {
-  return is_inside(model_->facet(), model_->position(), as_vec3(center));
+  const InsideTest sleeve(model_->facet(), model_->position());
+  int outside = 0;
+  for (const double* x = centers; x != centers + 3 * count; x += 3)
+    outside += x[2] < z_low || x[2] > z_high || !sleeve.is_inside(as_vec3(x));
+  return outside;
 }
 
 double FixMeshSurfaceShell::work() const

@@ -73,12 +73,13 @@ TEST(LevelCut, PiecesRunAnticlockwiseAndJoinUp)
   const SurfaceMesh mesh = prism(regular_polygon(7, 0.05));
   Vec3 ends = Vec3::Zero();
   int pieces = 0;
-  cut_at_level(mesh.facet, mesh.node, 0.4, [&](const Vec3& a, const Vec3& b) {
-    EXPECT_GT(a.x() * b.y() - a.y() * b.x(), 0.0);
-    EXPECT_DOUBLE_EQ(a.z(), 0.4);
-    ends += b - a;
-    ++pieces;
-  });
+  for (const Facet& f : mesh.facet)
+    cut_facet(f, mesh.node, 0.4, [&](const Vec3& a, const Vec3& b) {
+      EXPECT_GT(a.x() * b.y() - a.y() * b.x(), 0.0);
+      EXPECT_DOUBLE_EQ(a.z(), 0.4);
+      ends += b - a;
+      ++pieces;
+    });
   EXPECT_EQ(pieces, 14);
   EXPECT_LT(ends.norm(), 1e-15);
 }
@@ -88,7 +89,7 @@ TEST(LevelCut, AboveAndBelowTheSurfaceThereIsNothing)
   const SurfaceMesh mesh = prism(letter_l);
   for (const double z : {-0.1, 1.1}) {
     EXPECT_EQ(area_at_level(mesh.facet, mesh.node, z), 0.0);
-    EXPECT_FALSE(is_inside(mesh.facet, mesh.node, Vec3(0.5, 0.5, z)));
+    EXPECT_FALSE(InsideTest(mesh.facet, mesh.node).is_inside(Vec3(0.5, 0.5, z)));
   }
 }
 
@@ -103,7 +104,7 @@ TEST(LevelCut, AtTheHeightOfARingTheSectionIsStillWhole)
   const double ring = mesh.node[2 * n].z();
   EXPECT_NEAR(area_at_level(mesh.facet, mesh.node, ring),
               0.5 * n * 0.05 * 0.05 * std::sin(2.0 * pi / n), 1e-15);
-  EXPECT_TRUE(is_inside(mesh.facet, mesh.node, Vec3(0.01, 0.02, ring)));
+  EXPECT_TRUE(InsideTest(mesh.facet, mesh.node).is_inside(Vec3(0.01, 0.02, ring)));
 }
 
 TEST(IsInside, AgreesWithTheHalfPlanesOfARegularPolygon)
@@ -120,7 +121,7 @@ TEST(IsInside, AgreesWithTheHalfPlanesOfARegularPolygon)
       const double angle = 2.0 * pi * (i + 0.5) / n;
       if (x.x() * std::cos(angle) + x.y() * std::sin(angle) > inner) expected = false;
     }
-    EXPECT_EQ(is_inside(mesh.facet, mesh.node, x), expected) << x.transpose();
+    EXPECT_EQ(InsideTest(mesh.facet, mesh.node).is_inside(x), expected) << x.transpose();
     if (expected) ++inside;
   }
   EXPECT_GT(inside, 500);
@@ -134,6 +135,25 @@ TEST(IsInside, AgreesWithTheBarsOfALetterL)
     const Vec3 x = Vec3(1.0, 1.5, 0.5) + Vec3(1.5, 2.0, 0.49).cwiseProduct(random());
     const bool expected = x.x() > 0.0 && x.y() > 0.0 &&
                           ((x.x() < 2.0 && x.y() < 1.0) || (x.x() < 1.0 && x.y() < 3.0));
-    EXPECT_EQ(is_inside(mesh.facet, mesh.node, x), expected) << x.transpose();
+    EXPECT_EQ(InsideTest(mesh.facet, mesh.node).is_inside(x), expected) << x.transpose();
   }
+}
+
+// A tube that bulges from 50 to 65 mm half way up, in rings 5 mm high.
+TEST(IsInside, FollowsABulgeFromRingToRing)
+{
+  TubeShape shape;
+  shape.radius = 0.05;
+  shape.height = 0.2;
+  shape.edge = 0.005;
+  SurfaceMesh mesh = cylinder_mesh(shape);
+  const auto radius_at = [](double z) { return 0.05 + 0.015 * std::sin(pi * z / 0.2); };
+  for (Vec3& node : mesh.node) node.head<2>() *= radius_at(node.z()) / 0.05;
+  const InsideTest test(mesh.facet, mesh.node);
+  for (double z = 0.0005; z < 0.2; z += 0.001)
+    for (const double angle : {0.1, 1.3, 4.0}) {
+      const Vec3 out(std::cos(angle), std::sin(angle), 0.0), level(0.0, 0.0, z);
+      EXPECT_TRUE(test.is_inside(0.995 * radius_at(z) * out + level)) << "height " << z;
+      EXPECT_FALSE(test.is_inside(1.001 * radius_at(z) * out + level)) << "height " << z;
+    }
 }
