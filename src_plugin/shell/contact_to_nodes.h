@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 namespace encased_column {
 
@@ -32,14 +32,14 @@ class FacetLever {
       height_ -= weight_(i) * arm_[i];
       spread += arm_[i].squaredNorm() * Mat3::Identity() - arm_[i] * arm_[i].transpose();
     }
-    spread_.compute(spread);
+    inverse_spread_ = spread.inverse();
   }
 
   /// Nodal forces [N] whose sum is `force` and whose moment about any point is that of `force` [N]
   /// at the point plus `moment` [N m].
   std::array<Vec3, 3> nodal_forces(const Vec3& force, const Vec3& moment) const
   {
-    const Vec3 turn = spread_.solve(moment + height_.cross(force));
+    const Vec3 turn = inverse_spread_ * (moment + height_.cross(force));
     std::array<Vec3, 3> out;
     for (int i = 0; i < 3; ++i) out[i] = weight_(i) * force + turn.cross(arm_[i]);
     return out;
@@ -48,7 +48,7 @@ class FacetLever {
   /// Spin [rad/s] of the facet whose nodes move with `v` [m/s]: the least squares one.
   Vec3 spin(const std::array<Vec3, 3>& v) const
   {
-    return spread_.solve(arm_[0].cross(v[0]) + arm_[1].cross(v[1]) + arm_[2].cross(v[2]));
+    return inverse_spread_ * (arm_[0].cross(v[0]) + arm_[1].cross(v[1]) + arm_[2].cross(v[2]));
   }
 
   /// Velocity [m/s] of the facet at the point, with that spin.
@@ -60,7 +60,7 @@ class FacetLever {
  private:
   std::array<Vec3, 3> arm_;
   Vec3 weight_, height_;  ///< area coordinates of the foot; from the foot to the point [m]
-  Eigen::LLT<Mat3> spread_;
+  Mat3 inverse_spread_;   ///< [1/m^2]
 };
 
 /// The three nodal forces [N] that equal `force` [N] at `point` [m] together with `moment` [N m].

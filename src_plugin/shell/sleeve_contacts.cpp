@@ -1,6 +1,5 @@
 #include "shell/sleeve_contacts.h"
 
-#include "shell/contact_to_nodes.h"
 #include "shell/nearest_point.h"
 
 #include <algorithm>
@@ -80,29 +79,34 @@ bool SleeveContacts::is_behind(const ShellModel& model) const
   return !(side > 0.0);
 }
 
-SurfaceMotion SleeveContacts::surface_motion(const ShellModel& model, const Vec3& point) const
+void SleeveContacts::take_point(const ShellModel& model, const Vec3& point)
+{
+  levers_.clear();
+  for (const FacetTouch& t : facets_) levers_.emplace_back(model.corners(t.facet), point);
+}
+
+SurfaceMotion SleeveContacts::surface_motion(const ShellModel& model) const
 {
   SurfaceMotion motion{Vec3::Zero(), Vec3::Zero()};
-  for (const FacetTouch& t : facets_) {
-    const Facet& node = model.facet()[t.facet];
+  for (std::size_t n = 0; n < facets_.size(); ++n) {
+    const Facet& node = model.facet()[facets_[n].facet];
     const FacetVectors velocity{model.velocity()[node[0]], model.velocity()[node[1]],
                                 model.velocity()[node[2]]};
-    const FacetLever lever(model.corners(t.facet), point);
-    const Vec3 spin = lever.spin(velocity);
-    motion.velocity += t.share * lever.velocity(velocity, spin);
-    motion.spin += t.share * spin;
+    const Vec3 spin = levers_[n].spin(velocity);
+    motion.velocity += facets_[n].share * levers_[n].velocity(velocity, spin);
+    motion.spin += facets_[n].share * spin;
   }
   return motion;
 }
 
 void SleeveContacts::press(ShellModel& model, double normal_force, const Vec3& shear,
-                           const Vec3& moment, const Vec3& point) const
+                           const Vec3& moment) const
 {
-  for (const FacetTouch& t : facets_) {
+  for (std::size_t n = 0; n < facets_.size(); ++n) {
+    const FacetTouch& t = facets_[n];
     const Facet& node = model.facet()[t.facet];
     const Vec3 normal = (normal_force * t.pull) * t.direction;
-    const std::array<Vec3, 3> along =
-        contact_to_nodes(model.corners(t.facet), point, t.share * shear, t.share * moment);
+    const FacetVectors along = levers_[n].nodal_forces(t.share * shear, t.share * moment);
     for (int i = 0; i < 3; ++i) model.force(node[i]) += t.weight(i) * normal + along[i];
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shell/contact_to_nodes.h"
 #include "shell/facet_grid.h"
 #include "shell/shell_model.h"
 #include "shell/smooth_overlap.h"
@@ -37,15 +38,15 @@ class SleeveContacts {
   bool is_behind(const ShellModel& model) const;
   /// A facet of the touch.
   int facet() const { return facets_.front().facet; }
-  /// How the surface moves at the contact `point` [m]: the motion on which shear force and moment
-  /// of press() do their work.
-  SurfaceMotion surface_motion(const ShellModel& model, const Vec3& point) const;
-
+  /// Takes `point` [m] as the place of the contact, for the two calls below.
+  void take_point(const ShellModel& model, const Vec3& point);
+  /// How the surface moves there: the motion on which shear force and moment of press() do their
+  /// work.
+  SurfaceMotion surface_motion(const ShellModel& model) const;
   /// Gives the sleeve what it feels of the touch: the normal force [N] along the facets'
-  /// directions, and on the sleeve at `point` [m] the shear force [N] and the moment [N m]. Nodal
-  /// forces are statically equivalent.
-  void press(ShellModel& model, double normal_force, const Vec3& shear, const Vec3& moment,
-             const Vec3& point) const;
+  /// directions, and there the shear force [N] and the moment [N m]. Nodal forces are statically
+  /// equivalent.
+  void press(ShellModel& model, double normal_force, const Vec3& shear, const Vec3& moment) const;
 
   /// Adds to `bound` what a contact of this stiffness [N/m] adds to its nodes: 2 k w for the node
   /// of weight w, so that the bounds of a node, with the grain on the other side, stay above the
@@ -59,6 +60,7 @@ class SleeveContacts {
   std::vector<Vec3> listed_position_;
   std::vector<int> grain_, begin_, near_;
   std::vector<FacetTouch> facets_;
+  std::vector<FacetLever> levers_;  ///< of the same facets
   SmoothTouch touch_{};
 };
 

@@ -72,7 +72,8 @@ TEST(SleeveContacts, NodalForcesHaveTheForceAndTheMomentOfTheContact)
     if (!touches(contacts, model, center)) continue;
     const Push push = push_of(contacts.touch(), center, random);
     model.clear_loads();
-    contacts.press(model, push.normal_force, push.shear, push.moment, push.point);
+    contacts.take_point(model, push.point);
+    contacts.press(model, push.normal_force, push.shear, push.moment);
     if (contacts.touch().stiffening > 1.01) ++several;
     const Vec3 normal = push.normal_force * contacts.touch().normal;
     for (const Vec3& about : {Vec3(0.0, 0.0, 0.0), center, Vec3(1.0, -2.0, 3.0)}) {
@@ -104,8 +105,8 @@ TEST(SleeveContacts, NormalForcesOnTheNodesAreMinusTheGradientOfTheEnergy)
     if (!touches(contacts, model, center)) continue;
     const SmoothTouch touch = contacts.touch();
     model.clear_loads();
-    contacts.press(model, stiffness * touch.stiffening * touch.overlap, Vec3::Zero(), Vec3::Zero(),
-                   center);
+    contacts.take_point(model, center);
+    contacts.press(model, stiffness * touch.stiffening * touch.overlap, Vec3::Zero(), Vec3::Zero());
     const std::vector<Vec3> load = model.load(), start = model.position();
     const auto energy_at = [&](int node, const Vec3& shift) {
       std::vector<Vec3> x = start;
@@ -139,7 +140,8 @@ TEST(SleeveContacts, SurfaceOfATurningTubeMovesAsARigidBody)
   for (const Vec3& center : grains_inside(60)) {
     if (!touches(contacts, model, center)) continue;
     const Vec3 point = push_of(contacts.touch(), center, random).point;
-    const SurfaceMotion found = contacts.surface_motion(model, point);
+    contacts.take_point(model, point);
+    const SurfaceMotion found = contacts.surface_motion(model);
     EXPECT_LT((found.velocity - speed - spin.cross(point)).norm(), 1e-13);
     EXPECT_LT((found.spin - spin).norm(), 1e-12);
     if (contacts.touch().stiffening > 1.01) ++several;
@@ -160,13 +162,14 @@ TEST(SleeveContacts, PowerOfTheNodalForcesIsThatOfShearAndMomentOnTheSurface)
     if (!touches(contacts, model, center)) continue;
     const Push push = push_of(contacts.touch(), center, random);
     model.clear_loads();
-    contacts.press(model, 0.0, push.shear, push.moment, push.point);
+    contacts.take_point(model, push.point);
+    contacts.press(model, 0.0, push.shear, push.moment);
     double power = 0.0, size = 0.0;
     for (int i = 0; i < model.nodes(); ++i) {
       power += model.force(i).dot(velocity[i]);
       size += model.force(i).norm() * velocity[i].norm();
     }
-    const SurfaceMotion surface = contacts.surface_motion(model, push.point);
+    const SurfaceMotion surface = contacts.surface_motion(model);
     EXPECT_NEAR(power, push.shear.dot(surface.velocity) + push.moment.dot(surface.spin),
                 1e-13 * size);
   }

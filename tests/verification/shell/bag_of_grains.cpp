@@ -88,7 +88,8 @@ void BagOfGrains::press_sleeve()
     if (contacts_.is_behind(model_)) throw std::runtime_error("a grain left the bag");
     const SmoothTouch& smooth = contacts_.touch();
     const Vec3 point = g.x + contact_arm(radius, smooth.overlap) * smooth.normal;
-    const SurfaceMotion surface = contacts_.surface_motion(model_, point);
+    contacts_.take_point(model_, point);
+    const SurfaceMotion surface = contacts_.surface_motion(model_);
     const Touch touch{smooth.overlap,
                       smooth.normal,
                       mass,
@@ -100,7 +101,7 @@ void BagOfGrains::press_sleeve()
     g.force += action.force;
     g.moment += action.moment_i;
     contacts_.press(model_, action.normal_force,
-                    -action.force - action.normal_force * smooth.normal, action.moment_j, point);
+                    -action.force - action.normal_force * smooth.normal, action.moment_j);
     book(action);
     ++sleeve_contacts_;
   }
