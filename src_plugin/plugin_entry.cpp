@@ -1,5 +1,6 @@
 #include "plugin_entry.h"
 
+#include "shell/fix_wall_of_sleeves.h"
 #include "style_table.h"
 
 #include "input.h"
@@ -36,9 +37,18 @@ std::map<std::string, CommandCreator>& commands_of(LAMMPS_NS::LAMMPS* lmp)
   return *(lmp->input->*reveal(CommandMap()));
 }
 
+FixCreator host_wall = nullptr;
+
+LAMMPS_NS::Fix* make_any_wall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+{
+  return make_wall(host_wall, lmp, narg, arg);
+}
+
 void register_fixes(LAMMPS_NS::LAMMPS* lmp)
 {
   auto& fixes = *(lmp->modify->*reveal(FixMap()));
+  if (fixes.at("wall/gran") != make_any_wall) host_wall = fixes.at("wall/gran");
+  fixes["wall/gran"] = make_any_wall;
   for (const Style& style : style_table())
     if (const auto* create = std::get_if<FixCreator>(&style.maker.create))
       fixes[style.name] = *create;
