@@ -6,7 +6,9 @@
 #include "host/contact_memory_fix.h"
 #include "servo/wall_drive.h"
 
+#include <cmath>
 #include <string>
+#include <vector>
 
 namespace encased_column {
 
@@ -51,6 +53,8 @@ class RigidWall : public ContactMemoryFix {
   void press_grains_with(const Shape& shape);
 
  private:
+  template <typename Shape>
+  void list_grains_near(const Shape& shape);
   template <bool rolling, typename Shape>
   void press(const Shape& shape);
   void sum_load();
@@ -72,6 +76,8 @@ class RigidWall : public ContactMemoryFix {
   bool advance_memory_ = true;
   WallLoad load_;
   double speed_ = 0.0, work_ = 0.0, force_before_ = 0.0;
+  std::vector<int> near_;         ///< grains that may touch until lists are made anew
+  double listed_position_ = 0.0;  ///< of the wall, when they were found [m]
 };
 
 template <typename Shape>
@@ -79,20 +85,34 @@ void RigidWall::press_grains_with(const Shape& shape)
 {
   desk_.ask_probes();
   load_ = WallLoad();
+  // Grains keep their numbers and move less than half the skin between two lists of pairs.
+  if (neighbor->ago == 0 || std::abs(position() - listed_position_) > 0.5 * neighbor->skin)
+    list_grains_near(shape);
   if (rolling_)
     press<true>(shape);
   else
     press<false>(shape);
 }
 
+template <typename Shape>
+void RigidWall::list_grains_near(const Shape& shape)
+{
+  near_.clear();
+  listed_position_ = position();
+  for (int i = 0; i < atom->nlocal; ++i)
+    if ((atom->mask[i] & groupbit) &&
+        shape.overlap(atom->x[i], atom->radius[i] + neighbor->skin) > 0.0)
+      near_.push_back(i);
+}
+
 template <bool rolling, typename Shape>
 void RigidWall::press(const Shape& shape)
 {
   const double step = static_cast<double>(update->ntimestep);
-  for (int i = 0; i < atom->nlocal; ++i) {
+  for (const int i : near_) {
     const double radius = atom->radius[i];
     const double overlap = shape.overlap(atom->x[i], radius);
-    if (overlap <= 0.0 || !(atom->mask[i] & groupbit)) continue;
+    if (overlap <= 0.0) continue;
     const Vec3 normal = shape.normal(atom->x[i]);
     const Touch touch{overlap,
                       normal,
