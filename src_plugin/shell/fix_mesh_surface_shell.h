@@ -75,6 +75,9 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   void sum_loads();
   void weigh();
   void check();
+  void warn_of_platens_outside();
+  void warn_of_rupture();
+  void warn(const std::string& sentence);
   double level_inside(double z) const;
 
   std::string platen_ids_[2];
@@ -92,7 +95,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   bool rigid_ = false, everywhere_ = false, scale_masses_ = true, rolling_ = false;
   double damping_ = 0.7, safety_ = 0.8, strain_limit_ = 0.5, rupture_ = 0.0;
   int every_ = 50;
-  bool rupture_told_ = false;
+  bool rupture_told_ = false, platen_told_[2] = {false, false};
   PressureRamp pressure_{0.0};
   Options on_fix_line_;
 

@@ -192,6 +192,24 @@ TEST(Sleeve, RefusesATypeTheBoxDoesNotHave)
                    "'type' must be one of the 2 atom types, found 3");
 }
 
+TEST(Sleeve, RefusesAWallOfAnotherLawThanThePairs)
+{
+  expect_no_sleeve(mesh + platens + material,
+                   "'model' must be that of the pair style for a wall of sleeves, 'linear "
+                   "tangential history', found 'linear tangential history rolling_friction epsd2'",
+                   "fix wall all wall/gran model linear tangential history rolling_friction epsd2 "
+                   "mesh n_meshes 1 meshes side\n");
+}
+
+TEST(Sleeve, RefusesAWallThatMixesItWithOtherMeshes)
+{
+  expect_no_sleeve(
+      mesh + platens + material,
+      "'meshes' of a fix wall/gran takes sleeves alone and last, found 'mesh n_meshes 2 meshes "
+      "side top', write one fix wall/gran for sleeves and one for the rest",
+      "fix wall all wall/gran model linear tangential history mesh n_meshes 2 meshes side top\n");
+}
+
 TEST(Sleeve, RefusesToChangeItsMaterialLater)
 {
   expect_no_sleeve(mesh + platens + material,
