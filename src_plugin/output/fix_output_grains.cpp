@@ -2,18 +2,14 @@
 
 #include "core/input_error.h"
 #include "host/stop_run.h"
-#include "output/whole_file.h"
+#include "output/prepare_series.h"
 
 #include "memory.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
 
 namespace encased_column {
-
-namespace fs = std::filesystem;
 
 const KeywordTable FixOutputGrains::keywords{
     {"every", 1, "steps", "one file every so many steps"},
@@ -24,13 +20,13 @@ const KeywordTable FixOutputGrains::keywords{
 };
 
 FixOutputGrains::FixOutputGrains(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : LAMMPS_NS::Fix(lmp, narg, arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg),
+      clock_(lmp)
 {
   try {
     read_keywords(narg, arg);
     if (!atom->radius_flag)
       throw InputError("'output/grains' needs grains with a radius, write 'atom_style granular'");
-    prepare_folder();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -54,28 +50,14 @@ void FixOutputGrains::read_keywords(int narg, char** arg)
 {
   const Options options = keywords.read(narg, arg);
   nevery = static_cast<int>(options.integer("every", 1));
-  folder_ = options.word("folder");
-  name_ = options.word("name", "grains");
-  if (name_.find_first_of("/\\") != std::string::npos)
-    throw InputError("'name' must not hold a slash, found '" + name_ +
+  const std::string folder = options.word("folder"), name = options.word("name", "grains");
+  if (name.find_first_of("/\\") != std::string::npos)
+    throw InputError("'name' must not hold a slash, found '" + name +
                      "', write the path as 'folder ...'");
+  series_ = std::make_unique<VtkSeries>(folder, name);
   options_.compress = options.choice("compress", {"yes", "no"}, "yes") == "yes";
   options_.rotation = options.choice("rotation", {"yes", "no"}, "yes") == "yes";
-}
-
-void FixOutputGrains::prepare_folder()
-{
-  int usable = 1;
-  if (comm->me == 0) {
-    std::error_code failure;
-    fs::create_directories(folder_, failure);
-    // an empty series now, rather than a run that cannot be saved hours later
-    usable = write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text());
-  }
-  MPI_Bcast(&usable, 1, MPI_INT, 0, world);
-  if (!usable)
-    throw InputError("'folder' must be a folder that can be written, found '" + folder_ +
-                     "', write another path or mend its rights");
+  prepare_on_first_rank(lmp, *series_, folder);
 }
 
 int FixOutputGrains::setmask()
@@ -89,11 +71,9 @@ void FixOutputGrains::init()
   asked_step_ = -1;  // forces are computed again for the same step
 }
 
-// The host restarts at the step but, once a run begins, at time zero.
 void FixOutputGrains::setup(int)
 {
-  if (time_of_restart_) time_before_ = *time_of_restart_ - update->get_cur_time();
-  time_of_restart_.reset();
+  clock_.begin_run();
   if (!written_) write();
 }
 
@@ -184,31 +164,20 @@ std::vector<GrainRecord> FixOutputGrains::grains_of_all_ranks() const
   return all;
 }
 
-double FixOutputGrains::time_now() const
-{
-  return time_of_restart_ ? *time_of_restart_ : time_before_ + update->get_cur_time();
-}
-
-std::string FixOutputGrains::file_of_step(LAMMPS_NS::bigint step) const
-{
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%09lld", static_cast<long long>(step));
-  return name_ + "_" + digits + ".vtp";
-}
-
 void FixOutputGrains::write()
 {
   written_ = true;
   const std::vector<GrainRecord> grains = grains_of_all_ranks();
   if (comm->me != 0) return;
-  const std::string file = file_of_step(update->ntimestep);
-  collection_.add(time_now(), file);
-  if (!write_grains(folder_ + "/" + file, grains, options_) ||
-      !write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text())) {
-    const std::string problem = "fix output/grains cannot write '" + folder_ + "/" + file +
-                                "', free some space or mend the folder's rights";
-    stop_from_one_rank(lmp, problem);
-  }
+  const long step = static_cast<long>(update->ntimestep);
+  const std::string path = series_->path_of_step(step);
+  if (!write_grains(path, grains, options_) || !series_->list(clock_.now(), step)) stop(path);
+}
+
+void FixOutputGrains::stop(const std::string& path) const
+{
+  stop_from_one_rank(lmp, "fix output/grains cannot write '" + path +
+                              "', free some space or mend the folder's rights");
 }
 
 }  // namespace encased_column

@@ -2,11 +2,11 @@
 
 #include "core/keyword_table.h"
 #include "host/contact_probe.h"
-#include "host/host_types.h"
-#include "output/pvd_collection.h"
+#include "host/run_clock.h"
 #include "output/vtk_grains_writer.h"
+#include "output/vtk_series.h"
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,27 +48,21 @@ class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe {
   static constexpr int values_per_grain = 6;
 
   void read_keywords(int narg, char** arg);
-  void prepare_folder();
   bool contacts_are_counted() const;
   GrainRecord record_of(int i) const;
   std::vector<GrainRecord> grains_of_all_ranks() const;
-  double time_now() const;
-  std::string file_of_step(LAMMPS_NS::bigint step) const;
+  void stop(const std::string& path) const;
   void write();
 
-  std::string folder_;
-  std::string name_;
   GrainFileOptions options_;
+  RunClock clock_;
+  std::unique_ptr<VtkSeries> series_;  ///< used on the first rank only
 
-  double** motion_ = nullptr;              ///< [grain][values_per_grain]
-  std::optional<double> time_of_restart_;  ///< until the first run after it [s]
-  double time_before_ = 0.0;               ///< of the runs before a restart [s]
-  bool written_ = false;                   ///< since the fix was made
+  double** motion_ = nullptr;  ///< [grain][values_per_grain]
+  bool written_ = false;       ///< since the fix was made
   // Set where the contact law asks, once per step and before the first contact of it.
   mutable LAMMPS_NS::bigint asked_step_ = -1;
   mutable std::vector<int> contacts_;  ///< of each grain of this rank
-
-  PvdCollection collection_;  ///< used on the first rank only
 };
 
 }  // namespace encased_column

@@ -1,14 +1,11 @@
 // What `fix output/grains` keeps with each grain and with the run: moves, copies and restarts.
 #include "output/fix_output_grains.h"
 
-#include "host/stop_run.h"
-#include "output/whole_file.h"
-
 #include "memory.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <sstream>
 
 namespace encased_column {
@@ -57,35 +54,26 @@ void FixOutputGrains::unpack_restart(int i, int nth)
   std::copy_n(values + 1, values_per_grain, motion_[i]);
 }
 
-/// The time now, then the series as lines "time file", ended by a zero byte.
+/// The time now in a line, then the series, ended by a zero byte.
 void FixOutputGrains::write_restart(FILE* file)
 {
   if (comm->me != 0) return;
-  std::ostringstream lines;
-  lines.precision(17);
-  lines << time_now() << '\n';
-  for (const PvdEntry& entry : collection_.entries())
-    lines << entry.time << ' ' << entry.file << '\n';
-  const std::string text = lines.str();
+  std::ostringstream head;
+  head.precision(17);
+  head << clock_.now() << '\n';
+  const std::string text = head.str() + series_->saved();
   const int bytes = static_cast<int>(text.size() + 1);
   std::fwrite(&bytes, sizeof bytes, 1, file);
   std::fwrite(text.c_str(), 1, text.size() + 1, file);
 }
 
-/// Goes on with the series, as far as its files are still in the folder, and with its time; files
-/// that the run wrote after its restart file are listed no more, they come again.
 void FixOutputGrains::restart(char* buffer)
 {
-  std::istringstream lines(buffer);
-  double time = 0.0;
-  lines >> time;
-  time_of_restart_ = time;
-  std::string file;
-  while (lines >> time && std::getline(lines >> std::ws, file))
-    if (std::filesystem::exists(folder_ + "/" + file)) collection_.add(time, file);
-  written_ = std::strchr(buffer, ' ') != nullptr;
-  if (comm->me == 0 && !write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text()))
-    stop_from_one_rank(lmp, ("cannot write into '" + folder_ + "', free some space"));
+  const char* const series = std::strchr(buffer, '\n') + 1;
+  clock_.restart(std::strtod(buffer, nullptr));
+  written_ = *series != '\0';
+  if (comm->me == 0 && !series_->restore(series))
+    stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
 }
 
 double FixOutputGrains::memory_usage()

@@ -3,6 +3,7 @@
 #include "core/input_error.h"
 #include "host/find_fix.h"
 #include "host/stop_run.h"
+#include "output/prepare_series.h"
 #include "output/vtk_sleeve_writer.h"
 #include "shell/fix_mesh_surface_shell.h"
 
@@ -23,6 +24,7 @@ const KeywordTable FixOutputSleeve::keywords{
 
 FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
+      clock_(lmp),
       profile_("", {}),
       curves_("", {})
 {
@@ -42,11 +44,7 @@ FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
                          "hoop_tension_max [N/m]", "hoop_strain_mean [-]", "hoop_strain_max [-]",
                          "axial_force_top_end [N]", "axial_force_bottom_end [N]",
                          "friction_force [N]", "enclosed_volume [m^3]", "energy [J]"});
-    int usable = comm->me != 0 || series_->prepare();
-    MPI_Bcast(&usable, 1, MPI_INT, 0, world);
-    if (!usable)
-      throw InputError("'folder' must be a folder that can be written, found '" + folder +
-                       "', write another path or mend its rights");
+    prepare_on_first_rank(lmp, *series_, folder);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -63,11 +61,9 @@ void FixOutputSleeve::init()
   rings_.emplace(sleeve_->model());
 }
 
-// The host restarts at the step but, once a run begins, at time zero.
 void FixOutputSleeve::setup(int)
 {
-  if (time_of_restart_) time_before_ = *time_of_restart_ - update->get_cur_time();
-  time_of_restart_.reset();
+  clock_.begin_run();
   if (!before_.empty()) return;
   before_ = sleeve_->model().position();
   height_before_ = height();
@@ -85,11 +81,6 @@ double FixOutputSleeve::height() const
 {
   const HeightWindow window = sleeve_->window();
   return window.high - window.low;
-}
-
-double FixOutputSleeve::time_now() const
-{
-  return time_of_restart_ ? *time_of_restart_ : time_before_ + update->get_cur_time();
 }
 
 void FixOutputSleeve::write_curves()
@@ -124,7 +115,7 @@ void FixOutputSleeve::write_frame()
   const long step = static_cast<long>(update->ntimestep);
   const std::string path = series_->path_of_step(step);
   if (!write_sleeve(path, sleeve_->model(), before_, sleeve_->axis()) ||
-      !series_->list(time_now(), step))
+      !series_->list(clock_.now(), step))
     stop(path);
 }
 
@@ -138,7 +129,7 @@ void FixOutputSleeve::stop(const std::string& path) const
 void FixOutputSleeve::write_restart(FILE* file)
 {
   if (comm->me != 0) return;
-  const double head[3] = {time_now(), height_before_, static_cast<double>(before_.size())};
+  const double head[3] = {clock_.now(), height_before_, static_cast<double>(before_.size())};
   const std::string text = series_->saved();
   const std::size_t bytes = sizeof(head) + before_.size() * sizeof(Vec3) + text.size() + 1;
   const int size = static_cast<int>(bytes);
@@ -152,13 +143,14 @@ void FixOutputSleeve::restart(char* buffer)
 {
   double head[3];
   std::memcpy(head, buffer, sizeof(head));
-  time_of_restart_ = head[0];
+  clock_.restart(head[0]);
   height_before_ = head[1];
   before_.resize(static_cast<std::size_t>(head[2]));
   std::memcpy(static_cast<void*>(before_.data()), buffer + sizeof(head),
               before_.size() * sizeof(Vec3));
   if (comm->me != 0) return;
-  series_->restore(buffer + sizeof(head) + before_.size() * sizeof(Vec3));
+  if (!series_->restore(buffer + sizeof(head) + before_.size() * sizeof(Vec3)))
+    stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
   const double step = static_cast<double>(update->ntimestep);
   if (!profile_.go_back_to(step)) stop(profile_.path());
   if (!curves_.go_back_to(step)) stop(curves_.path());

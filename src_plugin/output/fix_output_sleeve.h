@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "host/host_types.h"
+#include "host/run_clock.h"
 #include "output/csv_series.h"
 #include "output/vtk_series.h"
 #include "shell/sleeve_profile.h"
@@ -33,7 +33,6 @@ class FixOutputSleeve : public LAMMPS_NS::Fix {
  private:
   double height() const;
   double axial_strain() const { return 1.0 - height() / height_before_; }
-  double time_now() const;
   void write_curves();
   void write_frame();
   void stop(const std::string& path) const;
@@ -41,13 +40,12 @@ class FixOutputSleeve : public LAMMPS_NS::Fix {
   std::string sleeve_id_;
   FixMeshSurfaceShell* sleeve_ = nullptr;
   long frame_every_ = 0, row_every_ = 0;
+  RunClock clock_;
   std::unique_ptr<VtkSeries> series_;
   CsvSeries profile_, curves_;
   std::optional<SleeveRings> rings_;
   std::vector<Vec3> before_;  ///< positions that displacements count from [m]
   double height_before_ = 0.0;
-  std::optional<double> time_of_restart_;  ///< until the first run after it [s]
-  double time_before_ = 0.0;               ///< of the runs before a restart [s]
 };
 
 }  // namespace encased_column

@@ -14,6 +14,11 @@ bool VtkSeries::prepare() const
 {
   std::error_code failure;
   fs::create_directories(folder_, failure);
+  return write_collection();
+}
+
+bool VtkSeries::write_collection() const
+{
   return write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text());
 }
 
@@ -27,7 +32,7 @@ std::string VtkSeries::file_of_step(long step) const
 bool VtkSeries::list(double time, long step)
 {
   collection_.add(time, file_of_step(step));
-  return write_whole_file(folder_ + "/" + name_ + ".pvd", collection_.text());
+  return write_collection();
 }
 
 std::string VtkSeries::saved() const
@@ -39,13 +44,14 @@ std::string VtkSeries::saved() const
   return lines.str();
 }
 
-void VtkSeries::restore(const std::string& saved)
+bool VtkSeries::restore(const std::string& saved)
 {
   std::istringstream lines(saved);
   double time = 0.0;
   std::string file;
   while (lines >> time && std::getline(lines >> std::ws, file))
     if (fs::exists(folder_ + "/" + file)) collection_.add(time, file);
+  return write_collection();
 }
 
 }  // namespace encased_column

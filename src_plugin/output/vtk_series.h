@@ -26,11 +26,14 @@ class VtkSeries {
 
   /// The series as text, for a restart file.
   std::string saved() const;
-  /// Goes on with a series saved, as far as its files are still in the folder.
-  void restore(const std::string& saved);
+  /// Goes on with a series saved, as far as its files are still in the folder: files that the run
+  /// wrote after its restart file are listed no more, they come again. False when the collection
+  /// cannot be written.
+  bool restore(const std::string& saved);
 
  private:
   std::string file_of_step(long step) const;
+  bool write_collection() const;
 
   std::string folder_, name_;
   PvdCollection collection_;

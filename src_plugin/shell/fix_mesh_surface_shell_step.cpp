@@ -93,9 +93,11 @@ void FixMeshSurfaceShell::press(bool advance_memory)
                 ", load more slowly or raise the contact modulus of the sleeve"));
     const SmoothTouch& smooth = contacts_.touch();
     const Vec3 point = center + contact_arm(radius, smooth.overlap) * smooth.normal;
-    contacts_.take_point(*model_, point);
-    const SurfaceMotion surface =
-        rigid_ ? SurfaceMotion{Vec3::Zero(), Vec3::Zero()} : contacts_.surface_motion(*model_);
+    SurfaceMotion surface{Vec3::Zero(), Vec3::Zero()};
+    if (!rigid_) {
+      contacts_.take_point(*model_, point);
+      surface = contacts_.surface_motion(*model_);
+    }
     const Touch touch{smooth.overlap,
                       smooth.normal,
                       atom->rmass[i],
@@ -108,7 +110,7 @@ void FixMeshSurfaceShell::press(bool advance_memory)
     as_vec3(atom->f[i]) += action.force;
     as_vec3(atom->torque[i]) += action.moment_i;
     const Vec3 shear = -action.force - action.normal_force * smooth.normal;
-    contacts_.press(*model_, action.normal_force, shear, action.moment_j);
+    if (!rigid_) contacts_.press(*model_, action.normal_force, shear, action.moment_j);
     vertical_force_ -= action.force.z();
     if (weighing_)
       contacts_.add_stiffness(*model_, std::max(action.stiffness.normal, action.stiffness.shear),

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "host/host_types.h"
+
+#include <optional>
+
+namespace encased_column {
+
+/// Time since the first run of a deck, across restarts: the host restarts at the step but, once a
+/// run begins, at time zero.
+class RunClock {
+ public:
+  explicit RunClock(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
+
+  /// In setup().
+  void begin_run()
+  {
+    if (of_restart_) before_ = *of_restart_ - lmp_->update->get_cur_time();
+    of_restart_.reset();
+  }
+  /// Goes on at `time` [s].
+  void restart(double time) { of_restart_ = time; }
+  double now() const  ///< [s]
+  {
+    return of_restart_ ? *of_restart_ : before_ + lmp_->update->get_cur_time();
+  }
+
+ private:
+  LAMMPS_NS::LAMMPS* lmp_;
+  std::optional<double> of_restart_;  ///< until the first run after it [s]
+  double before_ = 0.0;               ///< of the runs before a restart [s]
+};
+
+}  // namespace encased_column
