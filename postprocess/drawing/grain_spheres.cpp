@@ -3,15 +3,16 @@
 #include "core/input_error.h"
 
 #include <vtkActor.h>
+#include <vtkCellArray.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDoubleArray.h>
-#include <vtkGlyph3DMapper.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
+#include <vtkOpenGLSphereMapper.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkSphereSource.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <array>
@@ -45,7 +46,8 @@ vtkSmartPointer<vtkPolyData> grain_spheres(const std::filesystem::path& file)
   vtkDataArray* radius = array_of(grains->GetPointData(), "radius", "m", 1, file);
   vtkDataArray* displacement = array_of(grains->GetPointData(), "displacement", "m", 3, file);
 
-  vtkNew<vtkDoubleArray> sphere_radius, moved;
+  vtkNew<vtkFloatArray> sphere_radius;  // the mapper takes no double
+  vtkNew<vtkDoubleArray> moved;
   sphere_radius->SetName("sphere_radius");
   moved->SetName("moved");
   for (vtkIdType i = 0; i < grains->GetNumberOfPoints(); ++i) {
@@ -63,17 +65,14 @@ vtkSmartPointer<vtkPolyData> grain_spheres(const std::filesystem::path& file)
 
 void add_spheres(vtkRenderer* renderer, vtkPolyData* spheres, vtkColorTransferFunction* map)
 {
-  // Small in the picture where there are many: coarser spheres look the same and draw faster.
-  const int parts = spheres->GetNumberOfPoints() < 20000 ? 12 : 8;
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(1.0);
-  sphere->SetPhiResolution(parts);
-  sphere->SetThetaResolution(2 * parts);
-  vtkNew<vtkGlyph3DMapper> mapper;
+  // Each sphere is one square that the shader rounds: no facets, and fast without a graphics card.
+  // It draws vertices, not bare points.
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < spheres->GetNumberOfPoints(); ++i) vertices->InsertNextCell(1, &i);
+  spheres->SetVerts(vertices);
+  vtkNew<vtkOpenGLSphereMapper> mapper;
   mapper->SetInputData(spheres);
-  mapper->SetSourceConnection(sphere->GetOutputPort());
   mapper->SetScaleArray("sphere_radius");
-  mapper->SetScaleModeToScaleByMagnitude();
   if (map) {
     mapper->SetLookupTable(map);
     mapper->SetColorModeToMapScalars();

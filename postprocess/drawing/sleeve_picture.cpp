@@ -9,6 +9,7 @@
 #include <vtkClipPolyData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkImplicitBoolean.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
@@ -52,7 +53,7 @@ vtkSmartPointer<vtkPolyData> sleeve_of(const std::filesystem::path& file)
 vtkSmartPointer<vtkPolyData> grains_outside(const Quarter& quarter, vtkPolyData* all)
 {
   vtkNew<vtkPoints> points;
-  vtkNew<vtkDoubleArray> radii;
+  vtkNew<vtkFloatArray> radii;
   radii->SetName("sphere_radius");
   vtkDataArray* radius = all->GetPointData()->GetArray("sphere_radius");
   for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i) {
