@@ -8,7 +8,6 @@
 #include "host/rank_sums.h"
 #include "host/stop_run.h"
 #include "measure/coordination.h"
-#include "measure/love_weber.h"
 #include "measure/sphere_overlap.h"
 #include "servo/fix_servo_platen.h"
 
@@ -138,43 +137,6 @@ void FixSpecimenHistory::pre_force(int)
   if (wants_contacts(update->ntimestep)) clear_sums();
 }
 
-void FixSpecimenHistory::clear_sums()
-{
-  contacts_of_.assign(atom->nlocal, 0);
-  shared_volume_ = elastic_ = 0.0;
-  core_ = CoreStress();
-}
-
-void FixSpecimenHistory::add_contact(const Contact& contact)
-{
-  const double radius = atom->radius[contact.i];
-  ++contacts_of_[contact.i];
-  if (contact.j >= 0 && contact.j < atom->nlocal) ++contacts_of_[contact.j];
-  const double volume =
-      contact.j < 0 ? sphere_cap_volume(radius, contact.length)
-                    : sphere_overlap_volume(radius, atom->radius[contact.j], contact.length);
-  add_to_core(contact.i, contact.arm * contact.normal, contact.force);
-  if (contact.j >= 0 && contact.j < atom->nlocal)
-    add_to_core(contact.j, -(contact.length - contact.arm) * contact.normal, -contact.force);
-  shared_volume_ += contact.share * volume;
-  elastic_ += contact.share * contact.stored_energy;
-}
-
-// The middle third of the height: away from what the platens do to the stress.
-bool FixSpecimenHistory::is_in_core(int i) const
-{
-  const double low = bottom_->height(), high = top_->height(), third = (high - low) / 3.0;
-  return atom->x[i][2] > low + third && atom->x[i][2] < high - third;
-}
-
-void FixSpecimenHistory::add_to_core(int i, const Vec3& lever, const Vec3& force)
-{
-  if (!is_in_core(i)) return;
-  const Vec3 outward = Vec3(atom->x[i][0], atom->x[i][1], 0.0).normalized();
-  core_.axial += love_weber(force, lever, Vec3::UnitZ());
-  core_.radial += love_weber(force, lever, outward);
-}
-
 // The first row is the state before the first step. The motion weighed the grains when it was set
 // up itself, perhaps before gravity was.
 void FixSpecimenHistory::setup(int)
@@ -197,66 +159,6 @@ SpecimenState FixSpecimenHistory::state() const
   s.stress_bottom = bottom_->stress();
   s.confining_stress = side_->confining_stress();
   return s;
-}
-
-FixSpecimenHistory::Sums FixSpecimenHistory::sum_up()
-{
-  Sums sums{};
-  const Vec3 gravity = gravity_of(lmp);
-  for (int i = 0; i < atom->nlocal; ++i) {
-    const double r = atom->radius[i];
-    const double inertia = motion_->inertial_mass(i);
-    sums.grains += 1.0;
-    sums.solid += sphere_volume(r);
-    sums.inertia += inertia;
-    sums.mass += atom->rmass[i];
-    sums.diameter += 2.0 * r * atom->rmass[i];
-    sums.weight_height += atom->rmass[i] * gravity.dot(as_vec3(atom->x[i]));
-    sums.kinetic +=
-        0.5 * inertia *
-        (as_vec3(atom->v[i]).squaredNorm() + 0.4 * r * r * as_vec3(atom->omega[i]).squaredNorm());
-    if (is_in_core(i)) sums.core_solid += sphere_volume(r);
-    if (contacts_of_[i] == 0) sums.without_contact += 1.0;
-    if (contacts_of_[i] == 1) sums.with_one_contact += 1.0;
-    sums.ends += contacts_of_[i];
-  }
-  sums.core_axial = core_.axial;
-  sums.core_radial = core_.radial;
-  sums.shared = shared_volume_;
-  sums.elastic = elastic_;
-  sums.friction = contact_losses.friction;
-  sums.rolling = contact_losses.rolling;
-  sums.dashpots = contact_losses.dashpots;
-  sum_over_ranks(&sums.grains, sizeof(Sums) / sizeof(double), world);
-  return sums;
-}
-
-// A grain that left, or a number that is none, must not pass for a result.
-void FixSpecimenHistory::check_grains(const Sums& sums)
-{
-  if (!std::isfinite(sums.kinetic) || !std::isfinite(sums.elastic))
-    error->fix_error(
-        FLERR, this,
-        ("the energy of the grains is not a number at step " + std::to_string(update->ntimestep) +
-         ", go back to the last restart file with a smaller step")
-            .c_str());
-  if (static_cast<LAMMPS_NS::bigint>(sums.grains) != atom->natoms)
-    error->fix_error(FLERR, this,
-                     ("of " + std::to_string(atom->natoms) + " grains " +
-                      std::to_string(static_cast<long>(sums.grains)) + " are left at step " +
-                      std::to_string(update->ntimestep) + ", enlarge the box or slow the walls")
-                         .c_str());
-  const double outside = sum_over_ranks(
-      atom->nlocal == 0
-          ? 0.0
-          : side_->count_outside(atom->x[0], atom->nlocal, bottom_->height(), top_->height()),
-      world);
-  if (outside > 0.0)
-    error->fix_error(
-        FLERR, this,
-        (std::to_string(static_cast<long>(outside)) + " grains are outside the walls at step " +
-         std::to_string(update->ntimestep) + ", slow the walls or raise the contact modulus")
-            .c_str());
 }
 
 void FixSpecimenHistory::take_sample()
