@@ -1,17 +1,14 @@
 #include "output/vtk_grains_writer.h"
 
-#include "output/whole_file.h"
+#include "core/vec3.h"
+#include "output/vtk_file.h"
 
 #include <vtkCellArray.h>
-#include <vtkErrorCode.h>
-#include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
 namespace encased_column {
 
@@ -27,29 +24,6 @@ void add_integers(vtkPolyData* data, const char* name, const Grains& grains,
   array->SetNumberOfTuples(static_cast<vtkIdType>(grains.size()));
   vtkIdType n = 0;
   for (const GrainRecord& grain : grains) array->SetValue(n++, grain.*field);
-  data->GetPointData()->AddArray(array);
-}
-
-void add_scalars(vtkPolyData* data, const char* name, const Grains& grains,
-                 double GrainRecord::*field)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(grains.size()));
-  vtkIdType n = 0;
-  for (const GrainRecord& grain : grains) array->SetValue(n++, static_cast<float>(grain.*field));
-  data->GetPointData()->AddArray(array);
-}
-
-void add_vectors(vtkPolyData* data, const char* name, const Grains& grains,
-                 std::array<double, 3> GrainRecord::*field)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(grains.size()));
-  vtkIdType n = 0;
-  for (const GrainRecord& grain : grains) array->SetTuple(n++, (grain.*field).data());
   data->GetPointData()->AddArray(array);
 }
 
@@ -73,26 +47,19 @@ bool write_grains(const std::string& path, const Grains& grains, const GrainFile
 {
   vtkNew<vtkPolyData> data;
   add_points(data, grains);
+  const int count = static_cast<int>(grains.size());
+  const auto add_vectors = [&](const char* name, std::array<double, 3> GrainRecord::*field) {
+    add_array<3>(data->GetPointData(), name, count,
+                 [&](int i) { return as_vec3((grains[i].*field).data()); });
+  };
   add_integers(data, "id", grains, &GrainRecord::id);
   add_integers(data, "type", grains, &GrainRecord::type);
-  add_scalars(data, "radius", grains, &GrainRecord::radius);
-  add_vectors(data, "displacement", grains, &GrainRecord::displacement);
-  if (options.rotation) add_vectors(data, "rotation", grains, &GrainRecord::rotation);
-  add_vectors(data, "velocity", grains, &GrainRecord::velocity);
+  add_array<1>(data->GetPointData(), "radius", count, [&](int i) { return grains[i].radius; });
+  add_vectors("displacement", &GrainRecord::displacement);
+  if (options.rotation) add_vectors("rotation", &GrainRecord::rotation);
+  add_vectors("velocity", &GrainRecord::velocity);
   add_integers(data, "coordination_number", grains, &GrainRecord::coordination_number);
-
-  vtkObject::GlobalWarningDisplayOff();  // the caller says what went wrong, once
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(data);
-  writer->SetFileName(unfinished(path).c_str());
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  if (options.compress)
-    writer->SetCompressorTypeToZLib();
-  else
-    writer->SetCompressorTypeToNone();
-  const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
-  return written && finish_file(path);
+  return write_poly_data(path, data, options.compress);
 }
 
 }  // namespace encased_column

@@ -1,38 +1,19 @@
 #include "output/vtk_sleeve_writer.h"
 
-#include "output/whole_file.h"
+#include "output/vtk_file.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkErrorCode.h>
-#include <vtkFloatArray.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
 
 namespace encased_column {
 
 namespace {
-
-/// An array of `count` tuples, each what `value(n)` gives.
-template <int components, typename Value>
-void add_array(vtkDataSetAttributes* to, const char* name, int count, const Value& value)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(count);
-  for (int n = 0; n < count; ++n) {
-    const Eigen::Matrix<double, components, 1> tuple(value(n));
-    array->SetTuple(n, tuple.data());
-  }
-  to->AddArray(array);
-}
 
 void add_surface(vtkPolyData* data, const ShellModel& model)
 {
@@ -94,15 +75,7 @@ bool write_sleeve(const std::string& path, const ShellModel& model, const std::v
   add_surface(data, model);
   add_node_fields(data, model, before, axis);
   add_facet_fields(data, model);
-  vtkObject::GlobalWarningDisplayOff();  // the caller says what went wrong, once
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(data);
-  writer->SetFileName(unfinished(path).c_str());
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
-  return written && finish_file(path);
+  return write_poly_data(path, data);
 }
 
 }  // namespace encased_column
