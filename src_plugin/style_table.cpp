@@ -5,6 +5,7 @@
 #include "contact/register_linear.h"
 #include "dynamics/fix_motion.h"
 #include "dynamics/solve_command.h"
+#include "measure/fix_measure_sphere.h"
 #include "measure/fix_specimen_history.h"
 #include "output/fix_output_grains.h"
 #include "output/fix_output_restart.h"
@@ -24,6 +25,7 @@ const std::vector<Style>& style_table()
       {"create_packing", make<CreatePackingCommand>()},
       {"create_wall_mesh", make<CreateWallMeshCommand>()},
       {"grow/radius", make<FixGrowRadius>()},
+      {"measure/sphere", make<FixMeasureSphere>()},
       {"mesh/surface/shell", make<FixMeshSurfaceShell>()},
       {"motion", make<FixMotion>()},
       {"output/grains", make<FixOutputGrains>()},
