@@ -224,6 +224,17 @@ void FixMotion::set_inertia()
   if (scaled_step_ == 0.0 && atom->natoms > 0) update->dt = stable_step_;
 }
 
+void FixMotion::make_heavier(int i, double inertia)
+{
+  const double part = inertia_[i] / inertia, radius = atom->radius[i];
+  const double square = as_vec3(atom->v[i]).squaredNorm() +
+                        0.4 * radius * radius * as_vec3(atom->omega[i]).squaredNorm();
+  loss_ += 0.5 * inertia_[i] * square * (1.0 - part);
+  as_vec3(atom->v[i]) *= part;
+  as_vec3(atom->omega[i]) *= part;
+  inertia_[i] = inertia;
+}
+
 void FixMotion::weigh_equilibrium()
 {
   double sums[4] = {0.0, 0.0, contact_force_sum_, contact_count_};

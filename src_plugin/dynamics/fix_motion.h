@@ -87,6 +87,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
 
   Rule rule_now() const { return {scaled_step_, safety_, stiffest_material_, rolling_}; }
   void look_anew();
+  void make_heavier(int i, double inertia) override;
 
   double damping_;
   int every_;

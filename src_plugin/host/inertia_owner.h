@@ -2,8 +2,6 @@
 
 #include "dynamics/stable_step.h"
 
-#include <algorithm>
-
 namespace encased_column {
 
 /// The fix that decides how heavy grains move. With density scaling a grain must be heavy enough
@@ -17,11 +15,15 @@ class InertiaOwner {
     if (scaled_step_ <= 0.0) return;
     const double stiffness =
         normal_stiffness * decisive_ratio(normal_stiffness / shear_stiffness, rolling_);
-    inertia_[i] = std::max(inertia_[i], mass_for_step(scaled_step_, stiffness, safety_));
+    const double needed = mass_for_step(scaled_step_, stiffness, safety_);
+    if (needed > inertia_[i]) make_heavier(i, needed);
   }
 
  protected:
   virtual ~InertiaOwner() = default;
+  /// Gives grain i the inertial mass [kg] and keeps its momentum: kept speed would be energy from
+  /// nowhere, thousands of times the grain's own at a wall that is thousands of times stiffer.
+  virtual void make_heavier(int i, double inertia) = 0;
 
   double* inertia_ = nullptr;  ///< inertial mass of each grain [kg]
   double scaled_step_ = 0.0;   ///< with density scaling: the step [s]; 0 without

@@ -146,10 +146,11 @@ void FixMeshSurfaceShell::weigh()
     contact_bound_[i].translation += facet_bound_[i].translation;
     contact_bound_[i].rotation += facet_bound_[i].rotation;
   }
-  if (weighed_step_ != update->dt) model_->unscale_masses();
+  const bool anew = weighed_step_ != update->dt;
   weighed_step_ = update->dt;
   if (scale_masses_) {
-    mass_factor_ = model_->scale_masses(contact_bound_, update->dt, safety_);
+    damping_loss_ += model_->scale_masses(contact_bound_, update->dt, safety_, anew);
+    mass_factor_ = model_->mass_factor();
     return;
   }
   const double stable = model_->stable_step(contact_bound_, safety_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace encased_column {
 
@@ -182,23 +183,32 @@ double ShellModel::stable_step(const std::vector<StiffnessBound>& bound, double 
   return factor * std::sqrt(square);
 }
 
-void ShellModel::unscale_masses()
-{
-  mass_ = true_mass_;
-  inertia_ = true_inertia_;
-}
-
-double ShellModel::scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor)
+double ShellModel::scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor,
+                                bool anew)
 {
   const double need = dt * dt / (factor * factor);
-  double total = 0.0, true_total = 0.0;
+  double taken = 0.0;
+  const auto set = [&taken](double& inertia, double wanted, Vec3& velocity) {
+    if (wanted > inertia) {
+      const double part = inertia / wanted;
+      taken += 0.5 * inertia * velocity.squaredNorm() * (1.0 - part);
+      velocity *= part;
+    }
+    inertia = wanted;
+  };
   for (int i = 0; i < nodes(); ++i) {
-    mass_[i] = std::max(mass_[i], need * bound[i].translation);
-    inertia_[i] = std::max(inertia_[i], need * bound[i].rotation);
-    total += mass_[i];
-    true_total += true_mass_[i];
+    set(mass_[i], std::max(anew ? true_mass_[i] : mass_[i], need * bound[i].translation),
+        velocity_[i]);
+    set(inertia_[i], std::max(anew ? true_inertia_[i] : inertia_[i], need * bound[i].rotation),
+        angular_velocity_[i]);
   }
-  return total / true_total;
+  return taken;
+}
+
+double ShellModel::mass_factor() const
+{
+  return std::accumulate(mass_.begin(), mass_.end(), 0.0) /
+         std::accumulate(true_mass_.begin(), true_mass_.end(), 0.0);
 }
 
 double ShellModel::kinetic_energy() const

@@ -80,11 +80,13 @@ class ShellModel {
   /// factor sqrt(m / k), smallest over nodes, translations and rotations [s]. Stable below factor
   /// 2, because the sum of the bounds is never below the largest eigenvalue.
   double stable_step(const std::vector<StiffnessBound>& bound, double factor) const;
-  /// Takes the scaling of masses and inertias back.
-  void unscale_masses();
-  /// Raises masses and inertias where `dt` [s] asks for it; returns the total mass over the true
-  /// one.
-  double scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor);
+  /// Raises masses and inertias where `dt` [s] asks for it, from the true ones if `anew`, else from
+  /// what they are. A node that gets heavier keeps its momentum; returns the energy [J] that this
+  /// takes out.
+  double scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor,
+                      bool anew = false);
+  /// Total mass over the true one [-].
+  double mass_factor() const;
 
   /// Translational and rotational energy at the half step of the velocities [J].
   double kinetic_energy() const;
