@@ -255,12 +255,33 @@ void FixMotion::weigh_equilibrium()
   equilibrium_.maximum = mean_contact > 0.0 ? largest / mean_contact : 1.0;
 }
 
-double FixMotion::kick(int i, double half_step)
+/// The host's arrays without its rows of pointers: all grains pass here twice a step.
+struct FixMotion::Grains {
+  explicit Grains(LAMMPS_NS::Atom* a)
+      : x(a->x[0]),
+        v(a->v[0]),
+        omega(a->omega[0]),
+        force(a->f[0]),
+        moment(a->torque[0]),
+        radius(a->radius)
+  {
+  }
+  double* __restrict x;
+  double* __restrict v;
+  double* __restrict omega;
+  const double* __restrict force;
+  const double* __restrict moment;
+  const double* __restrict radius;
+};
+
+double FixMotion::kick(const Grains& grains, int i, double half_step) const
 {
-  const double per_mass = half_step / inertia_[i];
-  const double per_moment = per_mass / (0.4 * atom->radius[i] * atom->radius[i]);
-  return half_kick(atom->f[i], damping_, per_mass, half_step, atom->v[i]) +
-         half_kick(atom->torque[i], damping_, per_moment, half_step, atom->omega[i]);
+  // One division for both: it is what a kick waits for.
+  const double square = 0.4 * grains.radius[i] * grains.radius[i];
+  const double per_moment = half_step / (inertia_[i] * square);
+  return half_kick(grains.force + 3 * i, damping_, square * per_moment, half_step,
+                   grains.v + 3 * i) +
+         half_kick(grains.moment + 3 * i, damping_, per_moment, half_step, grains.omega + 3 * i);
 }
 
 // Forces were summed up in a cleared array: on a grain without contact nothing is left but its
@@ -282,25 +303,34 @@ void FixMotion::initial_integrate(int)
 {
   if (anew_) look_anew();
   anew_ = setting_up_ = false;
+  if (atom->nlocal == 0) return;
+  const Grains grains(atom);
   const double dt = update->dt;
+  const int count = atom->nlocal, bit = groupbit;
+  const int* const mask = atom->mask;
   double loss = 0.0;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    loss += kick(i, 0.5 * dt);
-    if (as_vec3(atom->v[i]).squaredNorm() > free_speed_square_ && touches_nothing(i))
+  for (int i = 0; i < count; ++i) {
+    if (!(mask[i] & bit)) continue;
+    loss += kick(grains, i, 0.5 * dt);
+    if (as_vec3(grains.v + 3 * i).squaredNorm() > free_speed_square_ && touches_nothing(i))
       loss += slow_down(i);
-    for (int a = 0; a < 3; ++a) atom->x[i][a] += dt * atom->v[i][a];
+    as_vec3(grains.x + 3 * i) += dt * as_vec3(grains.v + 3 * i);
   }
   loss_ += loss;
 }
 
 void FixMotion::final_integrate()
 {
-  const double half_step = 0.5 * update->dt;
-  double loss = 0.0;
-  for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->mask[i] & groupbit) loss += kick(i, half_step);
-  loss_ += loss;
+  if (atom->nlocal > 0) {
+    const Grains grains(atom);
+    const double half_step = 0.5 * update->dt;
+    const int count = atom->nlocal, bit = groupbit;
+    const int* const mask = atom->mask;
+    double loss = 0.0;
+    for (int i = 0; i < count; ++i)
+      if (mask[i] & bit) loss += kick(grains, i, half_step);
+    loss_ += loss;
+  }
   if (!wants_contacts(update->ntimestep)) return;
   weigh_equilibrium();
   set_inertia();

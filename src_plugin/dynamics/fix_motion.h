@@ -64,7 +64,8 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
 
  private:
   void read_free_speed(const Options& options);
-  double kick(int i, double half_step);
+  struct Grains;
+  double kick(const Grains& grains, int i, double half_step) const;
   bool touches_nothing(int i) const;
   double slow_down(int i);  ///< to the free speed; returns the energy taken [J]
   void collect();
