@@ -314,7 +314,7 @@ void FixMotion::initial_integrate(int)
     loss += kick(grains, i, 0.5 * dt);
     if (as_vec3(grains.v + 3 * i).squaredNorm() > free_speed_square_ && touches_nothing(i))
       loss += slow_down(i);
-    as_vec3(grains.x + 3 * i) += dt * as_vec3(grains.v + 3 * i);
+    for (int k = 3 * i; k < 3 * i + 3; ++k) grains.x[k] += dt * grains.v[k];
   }
   loss_ += loss;
 }
