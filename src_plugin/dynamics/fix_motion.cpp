@@ -201,6 +201,7 @@ void FixMotion::setup(int)
 
 void FixMotion::look_anew()
 {
+  keep_momentum();
   set_inertia();
   weigh_equilibrium();
 }
@@ -224,15 +225,31 @@ void FixMotion::set_inertia()
   if (scaled_step_ == 0.0 && atom->natoms > 0) update->dt = stable_step_;
 }
 
+/// Twice the kinetic energy over the inertial mass [m^2/s^2].
+double FixMotion::speed_square(int i) const
+{
+  const double radius = atom->radius[i];
+  return as_vec3(atom->v[i]).squaredNorm() +
+         0.4 * radius * radius * as_vec3(atom->omega[i]).squaredNorm();
+}
+
+// The way of this step was gone at the old speed: the grain slows down once the force of the step
+// has done its work on it. What the higher mass makes of its energy until then is booked at once.
 void FixMotion::make_heavier(int i, double inertia)
 {
-  const double part = inertia_[i] / inertia, radius = atom->radius[i];
-  const double square = as_vec3(atom->v[i]).squaredNorm() +
-                        0.4 * radius * radius * as_vec3(atom->omega[i]).squaredNorm();
-  loss_ += 0.5 * inertia_[i] * square * (1.0 - part);
-  as_vec3(atom->v[i]) *= part;
-  as_vec3(atom->omega[i]) *= part;
+  loss_ -= 0.5 * (inertia - inertia_[i]) * speed_square(i);
+  heavier_.emplace_back(i, inertia_[i] / inertia);
   inertia_[i] = inertia;
+}
+
+void FixMotion::keep_momentum()
+{
+  for (const auto& [i, part] : heavier_) {
+    loss_ += 0.5 * inertia_[i] * speed_square(i) * (1.0 - part * part);
+    as_vec3(atom->v[i]) *= part;
+    as_vec3(atom->omega[i]) *= part;
+  }
+  heavier_.clear();
 }
 
 void FixMotion::weigh_equilibrium()
@@ -266,12 +283,12 @@ struct FixMotion::Grains {
         radius(a->radius)
   {
   }
-  double* __restrict x;
-  double* __restrict v;
-  double* __restrict omega;
-  const double* __restrict force;
-  const double* __restrict moment;
-  const double* __restrict radius;
+  double* x;
+  double* v;
+  double* omega;
+  const double* force;
+  const double* moment;
+  const double* radius;
 };
 
 double FixMotion::kick(const Grains& grains, int i, double half_step) const
@@ -303,6 +320,7 @@ void FixMotion::initial_integrate(int)
 {
   if (anew_) look_anew();
   anew_ = setting_up_ = false;
+  keep_momentum();
   if (atom->nlocal == 0) return;
   const Grains grains(atom);
   const double dt = update->dt;
@@ -312,8 +330,8 @@ void FixMotion::initial_integrate(int)
   for (int i = 0; i < count; ++i) {
     if (!(mask[i] & bit)) continue;
     loss += kick(grains, i, 0.5 * dt);
-    if (as_vec3(grains.v + 3 * i).squaredNorm() > free_speed_square_ && touches_nothing(i))
-      loss += slow_down(i);
+    const auto velocity = as_vec3(grains.v + 3 * i);
+    if (velocity.squaredNorm() > free_speed_square_ && touches_nothing(i)) loss += slow_down(i);
     for (int k = 3 * i; k < 3 * i + 3; ++k) grains.x[k] += dt * grains.v[k];
   }
   loss_ += loss;
@@ -331,6 +349,7 @@ void FixMotion::final_integrate()
       if (mask[i] & bit) loss += kick(grains, i, half_step);
     loss_ += loss;
   }
+  keep_momentum();
   if (!wants_contacts(update->ntimestep)) return;
   weigh_equilibrium();
   set_inertia();

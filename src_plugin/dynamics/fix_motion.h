@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace encased_column {
@@ -89,6 +90,8 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   Rule rule_now() const { return {scaled_step_, safety_, stiffest_material_, rolling_}; }
   void look_anew();
   void make_heavier(int i, double inertia) override;
+  void keep_momentum();
+  double speed_square(int i) const;
 
   double damping_;
   int every_;
@@ -105,6 +108,8 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   std::vector<GrainStiffness> stiffness_;
   double contact_force_sum_ = 0.0, contact_count_ = 0.0;
   double loss_ = 0.0;
+  /// Grains that got heavier in this step, each with its mass before over that after.
+  std::vector<std::pair<int, double>> heavier_;
   double largest_factor_ = 1.0, stable_step_ = 0.0;
   Equilibrium equilibrium_;
 };

@@ -1,13 +1,12 @@
 #include "measure/fix_measure_sphere.h"
 
 #include "core/input_error.h"
-#include "host/find_fix.h"
 #include "host/rank_sums.h"
 #include "host/stop_run.h"
 #include "measure/sphere_overlap.h"
 #include "output/prepare_series.h"
 #include "output/vtk_spheres_writer.h"
-#include "servo/fix_servo_platen.h"
+#include "servo/find_platens.h"
 
 #include <algorithm>
 #include <cstring>
@@ -153,11 +152,7 @@ void FixMeasureSphere::init()
 {
   if (stack_ == 0) return;
   try {
-    for (int n = 0; n < 2; ++n)
-      platens_[n] = find_fix<FixServoPlaten>(lmp, "platens", platen_ids_[n], "fix servo/platen");
-    if (!platens_[0]->is_top() || platens_[1]->is_top())
-      throw InputError("'platens' takes the upper platen first, found '" + platen_ids_[0] + " " +
-                       platen_ids_[1] + "', write the ID of the top and then of the bottom one");
+    find_platens(lmp, platen_ids_, platens_);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

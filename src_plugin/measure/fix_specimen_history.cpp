@@ -9,7 +9,7 @@
 #include "host/stop_run.h"
 #include "measure/coordination.h"
 #include "measure/sphere_overlap.h"
-#include "servo/fix_servo_platen.h"
+#include "servo/find_platens.h"
 
 #include <cmath>
 #include <cstring>
@@ -103,11 +103,10 @@ int FixSpecimenHistory::setmask()
 void FixSpecimenHistory::init()
 {
   try {
-    top_ = find_fix<FixServoPlaten>(lmp, "platens", platen_ids_[0], "fix servo/platen");
-    bottom_ = find_fix<FixServoPlaten>(lmp, "platens", platen_ids_[1], "fix servo/platen");
-    if (!top_->is_top() || bottom_->is_top())
-      throw InputError("'platens' takes the upper platen first, found '" + platen_ids_[0] + " " +
-                       platen_ids_[1] + "', write the ID of the top and then of the bottom one");
+    FixServoPlaten* platens[2];
+    find_platens(lmp, platen_ids_, platens);
+    top_ = platens[0];
+    bottom_ = platens[1];
     side_ = find_fix<SpecimenSide>(lmp, "side", side_id_, "cylinder or sleeve");
     motion_ = find_fix<FixMotion>(lmp, "motion", motion_id_, "fix motion");
     if (nevery % motion_->every() != 0)

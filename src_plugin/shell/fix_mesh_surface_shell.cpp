@@ -2,7 +2,7 @@
 
 #include "host/find_fix.h"
 #include "host/rank_sums.h"
-#include "servo/fix_servo_platen.h"
+#include "servo/find_platens.h"
 #include "shell/cylinder_mesh.h"
 #include "shell/enclosed_volume.h"
 #include "shell/mesh_file.h"
@@ -204,11 +204,7 @@ void FixMeshSurfaceShell::init()
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
     desk_.open(rolling_);
-    for (int n = 0; n < 2; ++n)
-      platens_[n] = find_fix<FixServoPlaten>(lmp, "platens", platen_ids_[n], "fix servo/platen");
-    if (!platens_[0]->is_top() || platens_[1]->is_top())
-      throw InputError("'platens' takes the upper platen first, found '" + platen_ids_[0] + " " +
-                       platen_ids_[1] + "', write the ID of the top and then of the bottom one");
+    find_platens(lmp, platen_ids_, platens_);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
