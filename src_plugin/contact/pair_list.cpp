@@ -25,8 +25,8 @@ void PairList::take_over(LAMMPS_NS::PairGran* pair)
 bool PairList::host_list_is_needed() const
 {
   constexpr int bins = 1;
-  if (lmp_->neighbor->style != bins || lmp_->neighbor->exclude_setting() ||
-      lmp_->neighbor->includegroup || std::string(lmp_->force->pair_style) != "gran")
+  if (lmp_->neighbor->style != bins || lmp_->neighbor->includegroup ||
+      std::string(lmp_->force->pair_style) != "gran")
     return true;
   for (int n = 0; n < lmp_->modify->nfix; ++n)
     if (std::string(lmp_->modify->fix[n]->style) == "neighlist/mesh") return true;
@@ -42,6 +42,12 @@ void PairList::build(LAMMPS_NS::PairGran* pair)
   LAMMPS_NS::FixContactHistory& partners = *list.fix_history;
   if (list.get_maxlocal() < atom->nmax) list.grow(atom->nmax);
   if (touches.get_maxlocal() < atom->nmax) touches.grow(atom->nmax);
+  // Known only now: the host reads its exclusions after the pair styles were set up.
+  if (lmp_->neighbor->exclude_setting()) {
+    lmp_->neighbor->build_one(list.index);
+    built_ = built();
+    return;
+  }
   list.ipage->reset();
   touches.ipage->reset();
   touches.dpage->reset();

@@ -240,6 +240,7 @@ void FixMotion::make_heavier(int i, double inertia)
   loss_ -= 0.5 * (inertia - inertia_[i]) * speed_square(i);
   heavier_.emplace_back(i, inertia_[i] / inertia);
   inertia_[i] = inertia;
+  if (setting_up_) keep_momentum();  // no way was gone
 }
 
 void FixMotion::keep_momentum()
