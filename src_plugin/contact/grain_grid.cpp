@@ -21,6 +21,9 @@ void GrainGrid::Level::lay_grid(const std::vector<Sphere>& spheres, double fines
     high = high.cwiseMax(as_vec3(sphere.center));
   }
   corner = low;
+  size = finest_size;
+  cells[0] = cells[1] = cells[2] = 1;
+  if (!(high - low).allFinite()) return;  // a run that blew up is stopped by those who watch it
   const long most = std::max(cells_at_least, cells_per_sphere * static_cast<long>(spheres.size()));
   for (size = finest_size;; size *= 1.26) {  // twice the volume of a cube
     double wanted = 1.0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 #include <set>
 
@@ -83,4 +84,15 @@ TEST(GrainGrid, TakesNoSpheresOneAndAThousandfoldSizes)
   EXPECT_TRUE(pairs_found(grid, {{0.0, 0.0, 0.0}, {1e-3}}, 1.0, 1e-3).empty());
   const Spheres unequal{{0.0, 0.0, 0.0, 0.0, 0.0, 1.0005, 0.0, 0.0, 1.002}, {1.0, 1e-3, 1e-3}};
   EXPECT_EQ(pairs_found(grid, unequal, 1.0, 0.0), (Pairs{{0, 1}, {1, 2}}));
+}
+
+// A run that blows up must come to those who stop it with a reason.
+TEST(GrainGrid, EndsWithAPositionThatIsNoNumber)
+{
+  Spheres spheres = random_spheres(50, 5);
+  spheres.centers[3] = std::numeric_limits<double>::quiet_NaN();
+  GrainGrid grid;
+  grid.sort(spheres.centers.data(), spheres.radii.data(), spheres.size(), 1.0, 1e-3);
+  spheres.centers[3] = std::numeric_limits<double>::infinity();
+  grid.sort(spheres.centers.data(), spheres.radii.data(), spheres.size(), 1.0, 1e-3);
 }
