@@ -24,49 +24,48 @@ bool is_sleeve(LAMMPS_NS::LAMMPS* lmp, const std::string& id)
   return n >= 0 && dynamic_cast<FixMeshSurfaceShell*>(lmp->modify->fix[n]);
 }
 
-}  // namespace
-
-FixWallOfSleeves::FixWallOfSleeves(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg,
-                                   const std::string& model)
-    : Fix(lmp, narg, arg),
-      model_(model)
+void check_model(LAMMPS_NS::LAMMPS* lmp, const std::string& model)
 {
-}
-
-void FixWallOfSleeves::init()
-{
-  auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
+  auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(lmp->force->pair);
   const bool rolling = pair && pair->contact_match("rolling_friction", "epsd2");
   const std::string pairs =
       std::string("linear tangential history") + (rolling ? " rolling_friction epsd2" : "");
-  if (model_ != pairs)
-    error->fix_error(FLERR, this,
-                     ("'model' must be that of the pair style for a wall of sleeves, '" + pairs +
-                      "', found '" + model_ + "'")
-                         .c_str());
+  if (model != pairs)
+    lmp->error->all(FLERR, ("'model' must be that of the pair style for a wall of sleeves, '" +
+                            pairs + "', found '" + model + "'")
+                               .c_str());
 }
+
+}  // namespace
 
 LAMMPS_NS::Fix* make_wall(FixCreator host, LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 {
-  const std::vector<std::string> words(arg, arg + narg);
+  std::vector<std::string> words(arg, arg + narg);
   const auto model = std::find(words.begin(), words.end(), "model");
   const auto mesh = std::find(model, words.end(), "mesh");
   const auto meshes = std::find(mesh, words.end(), "meshes");
-  if (meshes == words.end()) return host(lmp, narg, arg);
-  const std::vector<std::string> ids(meshes + 1, words.end());
-  const auto sleeves =
-      std::count_if(ids.begin(), ids.end(), [&](const auto& id) { return is_sleeve(lmp, id); });
-  if (sleeves == 0) return host(lmp, narg, arg);
-  if (sleeves != static_cast<long>(ids.size()) || meshes - mesh != 3)
-    lmp->error->all(FLERR, ("'meshes' of a fix wall/gran takes sleeves alone and last, found '" +
-                            joined({mesh, words.end()}) +
-                            "', write one fix wall/gran for sleeves and one for the rest")
-                               .c_str());
-  // Not called wall/gran: the host casts what is to its own wall.
-  std::string style = "wall/sleeve";
-  std::vector<char*> changed(arg, arg + narg);
-  changed[2] = style.data();
-  return new FixWallOfSleeves(lmp, narg, changed.data(), joined({model + 1, mesh}));
+  const auto first_sleeve =
+      std::find_if(meshes, words.end(), [&](const std::string& id) { return is_sleeve(lmp, id); });
+  if (first_sleeve == words.end()) return host(lmp, narg, arg);
+  if (meshes - mesh != 3 || *(mesh + 1) != "n_meshes")
+    lmp->error->all(FLERR,
+                    ("a wall with sleeves is written 'mesh n_meshes N meshes ID ...', found '" +
+                     joined({mesh, words.end()}) + "'")
+                        .c_str());
+  check_model(lmp, joined({model + 1, mesh}));
+
+  words.erase(std::remove_if(meshes + 1, words.end(),
+                             [&](const std::string& id) { return is_sleeve(lmp, id); }),
+              words.end());
+  const auto left = words.end() - meshes - 1;
+  *(mesh + 2) = std::to_string(left);
+  // What stands for sleeves alone is not called wall/gran: the host casts what is to its own wall.
+  if (left == 0) words[2] = "wall/sleeve";
+  std::vector<char*> changed;
+  for (std::string& word : words) changed.push_back(word.data());
+  const int count = static_cast<int>(changed.size());
+  if (left == 0) return new FixWallOfSleeves(lmp, count, changed.data());
+  return host(lmp, count, changed.data());
 }
 
 }  // namespace encased_column

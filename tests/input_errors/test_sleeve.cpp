@@ -201,15 +201,6 @@ TEST(Sleeve, RefusesAWallOfAnotherLawThanThePairs)
                    "mesh n_meshes 1 meshes side\n");
 }
 
-TEST(Sleeve, RefusesAWallThatMixesItWithOtherMeshes)
-{
-  expect_no_sleeve(
-      mesh + platens + material,
-      "'meshes' of a fix wall/gran takes sleeves alone and last, found 'mesh n_meshes 2 meshes "
-      "side top', write one fix wall/gran for sleeves and one for the rest",
-      "fix wall all wall/gran model linear tangential history mesh n_meshes 2 meshes side top\n");
-}
-
 TEST(Sleeve, RefusesToChangeItsMaterialLater)
 {
   expect_no_sleeve(mesh + platens + material,

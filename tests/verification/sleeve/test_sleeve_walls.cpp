@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace encased_column::testing;
 
 namespace {
@@ -34,6 +36,21 @@ TEST(SleeveWalls, AWallOfTheHostTakesTheSleeveAsAMesh)
   ASSERT_EQ(walled.exit_code, 0) << walled.output;
   EXPECT_LT(alone.value("force"), -10.0);
   EXPECT_EQ(walled.value("force"), alone.value("force"));
+}
+
+TEST(SleeveWalls, AWallOfTheHostTakesTheSleeveBesideItsOwnMeshes)
+{
+  const std::string far =
+      "create_wall_mesh file far.stl shape square half_width 0.05 z 0.1049 edge 0.05\n"
+      "fix far all mesh/surface file far.stl type 2\n"
+      "fix wall all wall/gran model linear tangential history mesh n_meshes 2 meshes ";
+  const Outcome alone = grain_on_sleeve("run 0\n");
+  const Outcome both =
+      grain_on_sleeve(far + "side far\nrun 0\n" + "variable up equal fz[1]\nprint \"up ${up}\"\n");
+  ASSERT_EQ(both.exit_code, 0) << both.output;
+  EXPECT_EQ(both.value("force"), alone.value("force"));
+  EXPECT_NEAR(both.value("up"), -std::acos(-1.0) * 0.005 * 7e6 * 1e-4,
+              1e-6);  // pi r E* d of the mesh
 }
 
 TEST(SleeveWalls, APlatenBeyondTheEndIsWarnedOfOnce)
