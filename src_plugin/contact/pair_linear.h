@@ -2,6 +2,8 @@
 
 #include "contact/model_linear.h"
 #include "contact/pair_list.h"
+#include "core/input_error.h"
+#include "host/grain_arrays.h"
 
 #include "neigh_list.h"
 
@@ -34,7 +36,11 @@ class PairLinear
     HostLoop::init_granular();
     desk_.open(rolling != LIGGGHTS::ContactModels::ROLLING_OFF);
     memory_ = this->get_history_offset("contact_memory");
-    list_.take_over(parent_);
+    try {
+      list_.take_over(parent_);
+    } catch (const InputError& problem) {
+      lmp_->error->all(FLERR, problem.what());
+    }
   }
 
   void compute_force(PairGran* pair, int eflag, int vflag, int addflag) override
@@ -47,39 +53,13 @@ class PairLinear
     pair->evflag = pair->vflag_fdotr = 0;
     if (lmp_->atom->nlocal == 0) return;
     desk_.ask_probes();
-    const Grains grains(lmp_->atom);
+    const GrainArrays grains(lmp_->atom);
     const bool advance = pair->computeflag() && pair->shearupdate();
     const LAMMPS_NS::NeighList& list = *pair->list;
     for (int n = 0; n < list.inum; ++n) press_neighbors_of(grains, pair, list.ilist[n], advance);
   }
 
  private:
-  /// The host's arrays without its rows of pointers, and without a look into the host for each
-  /// pair.
-  struct Grains {
-    explicit Grains(LAMMPS_NS::Atom* a)
-        : x(a->x[0]),
-          v(a->v[0]),
-          omega(a->omega[0]),
-          radius(a->radius),
-          mass(a->rmass),
-          type(a->type),
-          force(a->f[0]),
-          moment(a->torque[0]),
-          owned(a->nlocal)
-    {
-    }
-    const double* __restrict x;
-    const double* __restrict v;
-    const double* __restrict omega;
-    const double* __restrict radius;
-    const double* __restrict mass;
-    const int* __restrict type;
-    double* __restrict force;
-    double* __restrict moment;
-    int owned;
-  };
-
   static bool wants_host_loop(PairGran* pair, int eflag, int vflag)
   {
     return eflag || vflag || pair->cpl() || pair->storeContactForces() ||
@@ -88,7 +68,7 @@ class PairLinear
            !pair->computeflag();
   }
 
-  void press_neighbors_of(const Grains& grains, PairGran* pair, int i, bool advance)
+  void press_neighbors_of(const GrainArrays& grains, PairGran* pair, int i, bool advance)
   {
     const LAMMPS_NS::NeighList& list = *pair->list;
     const int count = list.numneigh[i];

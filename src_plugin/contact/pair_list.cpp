@@ -1,5 +1,7 @@
 #include "contact/pair_list.h"
 
+#include "core/input_error.h"
+
 #include "fix_contact_history.h"
 #include "neigh_list.h"
 #include "neigh_request.h"
@@ -11,12 +13,26 @@
 
 namespace encased_column {
 
+namespace {
+
+// The host's numbers of its styles of `neighbor`.
+constexpr int bin = 1, multi = 2;
+
+}  // namespace
+
 void PairList::take_over(LAMMPS_NS::PairGran* pair)
 {
+  LAMMPS_NS::Neighbor* neighbor = lmp_->neighbor;
+  if (neighbor->style == multi)
+    throw InputError(
+        "'neighbor' must take the style 'bin', found 'multi', with which the host finds no "
+        "contacts, write for example 'neighbor 0.0005 bin'");
+  // The host drops its lists, and with them the springs of the last run, where this run asks for
+  // others.
+  if (pair->computeflag()) pair->get_fix_history()->pre_exchange();
   built_ = {-1, -1};
   taken_over_ = !host_list_is_needed();
   if (!taken_over_) return;
-  LAMMPS_NS::Neighbor* neighbor = lmp_->neighbor;
   for (int n = 0; n < neighbor->nrequest; ++n)
     if (neighbor->requests[n]->requestor == pair) neighbor->requests[n]->occasional = 1;
 }
@@ -24,8 +40,7 @@ void PairList::take_over(LAMMPS_NS::PairGran* pair)
 // Walls of the host find grains in its bins, which are filled when it has a list to build.
 bool PairList::host_list_is_needed() const
 {
-  constexpr int bins = 1;
-  if (lmp_->neighbor->style != bins || lmp_->neighbor->includegroup ||
+  if (lmp_->neighbor->style != bin || lmp_->neighbor->includegroup ||
       std::string(lmp_->force->pair_style) != "gran")
     return true;
   for (int n = 0; n < lmp_->modify->nfix; ++n)

@@ -21,7 +21,8 @@ class PairList {
   explicit PairList(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
 
   /// At the start of a run, after `pair` asked for its lists. Where something else lives on the
-  /// host's own build or its bins (meshes of the host, exclusions), nothing changes.
+  /// host's own build or its bins (meshes of the host, exclusions), nothing changes. Saves what
+  /// contacts remember; throws InputError for a `neighbor` style that finds no contacts.
   void take_over(LAMMPS_NS::PairGran* pair);
 
   /// Before forces: makes the list if it is not there yet.

@@ -2,7 +2,6 @@
 
 #include "core/constants.h"
 #include "core/input_error.h"
-#include "dynamics/local_damping.h"
 #include "host/gravity.h"
 #include "host/pair_property.h"
 #include "host/rank_sums.h"
@@ -26,8 +25,6 @@ const KeywordTable FixMotion::keywords{
 };
 
 namespace {
-
-constexpr int neighbor_multi = 2;  ///< the host's number for `neighbor ... multi`
 
 /// The step [s] of `step NUMBER`, 0 for `step stable`.
 double read_step(const Options& options)
@@ -96,11 +93,6 @@ int FixMotion::setmask()
 void FixMotion::init()
 {
   try {
-    // The host takes `multi` without a word, and its list of granular pairs is then empty.
-    if (neighbor->style == neighbor_multi)
-      throw InputError(
-          "'neighbor' must take the style 'bin', found 'multi', with which the host finds no "
-          "contacts, write for example 'neighbor 0.0005 bin'");
     auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
     rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
     const PairProperty modulus = read_pair_property(lmp, "contactModulus", 0.0, true);
@@ -222,7 +214,9 @@ void FixMotion::set_inertia()
   }
   largest_factor_ = max_over_ranks(factor, world);
   stable_step_ = min_over_ranks(stable, world);
-  if (scaled_step_ == 0.0 && atom->natoms > 0) update->dt = stable_step_;
+  if (scaled_step_ > 0.0 || atom->natoms == 0) return;
+  update->update_time();  // with the step that was made
+  update->dt = stable_step_;
 }
 
 /// Twice the kinetic energy over the inertial mass [m^2/s^2].
@@ -266,6 +260,12 @@ void FixMotion::weigh_equilibrium()
   }
   sum_over_ranks(sums, 4, world);
   largest = max_over_ranks(largest, world);
+  if (!std::isfinite(sums[0] + sums[2]))
+    error->fix_error(FLERR, this,
+                     ("the forces on the grains are not numbers at step " +
+                      std::to_string(update->ntimestep) +
+                      ", go back to the last restart file with a smaller step")
+                         .c_str());
   // Without a contact nothing is in equilibrium: the ratio is one, not zero over zero.
   const double mean_contact = sums[3] > 0.0 ? sums[2] / sums[3] : 0.0;
   equilibrium_.contacts = sums[3];
@@ -273,33 +273,23 @@ void FixMotion::weigh_equilibrium()
   equilibrium_.maximum = mean_contact > 0.0 ? largest / mean_contact : 1.0;
 }
 
-/// The host's arrays without its rows of pointers: all grains pass here twice a step.
-struct FixMotion::Grains {
-  explicit Grains(LAMMPS_NS::Atom* a)
-      : x(a->x[0]),
-        v(a->v[0]),
-        omega(a->omega[0]),
-        force(a->f[0]),
-        moment(a->torque[0]),
-        radius(a->radius)
-  {
-  }
-  double* x;
-  double* v;
-  double* omega;
-  const double* force;
-  const double* moment;
-  const double* radius;
-};
-
-double FixMotion::kick(const Grains& grains, int i, double half_step) const
+GrainRow FixMotion::row(int first, int count) const
 {
-  // One division for both: it is what a kick waits for.
-  const double square = 0.4 * grains.radius[i] * grains.radius[i];
-  const double per_moment = half_step / (inertia_[i] * square);
-  return half_kick(grains.force + 3 * i, damping_, square * per_moment, half_step,
-                   grains.v + 3 * i) +
-         half_kick(grains.moment + 3 * i, damping_, per_moment, half_step, grains.omega + 3 * i);
+  return {atom->v[first],     atom->omega[first],  atom->f[first],  atom->torque[first],
+          atom->radius + first, inertia_ + first, count};
+}
+
+/// Calls `kick(first, count)` for all grains of the group, in rows.
+template <typename Kick>
+void FixMotion::for_rows(const Kick& kick) const
+{
+  const int* const mask = atom->mask;
+  for (int first = 0; first < atom->nlocal;) {
+    int end = first;
+    while (end < atom->nlocal && end < first + longest_row && (mask[end] & groupbit)) ++end;
+    if (end > first) kick(first, end - first);
+    first = end > first ? end : first + 1;
+  }
 }
 
 // Forces were summed up in a cleared array: on a grain without contact nothing is left but its
@@ -310,11 +300,12 @@ bool FixMotion::touches_nothing(int i) const
          1e-20 * atom->rmass[i] * atom->rmass[i] * gravity_.squaredNorm();
 }
 
-double FixMotion::slow_down(int i)
+void FixMotion::slow_down(int i)
 {
   const double square = as_vec3(atom->v[i]).squaredNorm();
+  if (square <= free_speed_square_ || !touches_nothing(i)) return;
   as_vec3(atom->v[i]) *= std::sqrt(free_speed_square_ / square);
-  return 0.5 * inertia_[i] * (square - free_speed_square_);
+  loss_ += 0.5 * inertia_[i] * (square - free_speed_square_);
 }
 
 void FixMotion::initial_integrate(int)
@@ -322,34 +313,23 @@ void FixMotion::initial_integrate(int)
   if (anew_) look_anew();
   anew_ = setting_up_ = false;
   keep_momentum();
-  if (atom->nlocal == 0) return;
-  const Grains grains(atom);
   const double dt = update->dt;
-  const int count = atom->nlocal, bit = groupbit;
-  const int* const mask = atom->mask;
-  double loss = 0.0;
-  for (int i = 0; i < count; ++i) {
-    if (!(mask[i] & bit)) continue;
-    loss += kick(grains, i, 0.5 * dt);
-    const auto velocity = as_vec3(grains.v + 3 * i);
-    if (velocity.squaredNorm() > free_speed_square_ && touches_nothing(i)) loss += slow_down(i);
-    for (int k = 3 * i; k < 3 * i + 3; ++k) grains.x[k] += dt * grains.v[k];
-  }
-  loss_ += loss;
+  for_rows([&](int first, int count) {
+    const RowKick kick = kick_grains(row(first, count), damping_, 0.5 * dt);
+    loss_ += kick.loss;
+    if (3.0 * kick.fastest > free_speed_square_)
+      for (int i = first; i < first + count; ++i) slow_down(i);
+    double* const __restrict x = atom->x[first];
+    const double* const __restrict v = atom->v[first];
+    for (int k = 0; k < 3 * count; ++k) x[k] += dt * v[k];
+  });
 }
 
 void FixMotion::final_integrate()
 {
-  if (atom->nlocal > 0) {
-    const Grains grains(atom);
-    const double half_step = 0.5 * update->dt;
-    const int count = atom->nlocal, bit = groupbit;
-    const int* const mask = atom->mask;
-    double loss = 0.0;
-    for (int i = 0; i < count; ++i)
-      if (mask[i] & bit) loss += kick(grains, i, half_step);
-    loss_ += loss;
-  }
+  for_rows([&](int first, int count) {
+    loss_ += kick_grains(row(first, count), damping_, 0.5 * update->dt).loss;
+  });
   keep_momentum();
   if (!wants_contacts(update->ntimestep)) return;
   weigh_equilibrium();

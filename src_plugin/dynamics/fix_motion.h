@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "dynamics/kick_grains.h"
 #include "dynamics/stable_step.h"
 #include "host/contact_probe.h"
 #include "host/inertia_owner.h"
@@ -65,10 +66,11 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
 
  private:
   void read_free_speed(const Options& options);
-  struct Grains;
-  double kick(const Grains& grains, int i, double half_step) const;
+  GrainRow row(int first, int count) const;
+  template <typename Kick>
+  void for_rows(const Kick& kick) const;
   bool touches_nothing(int i) const;
-  double slow_down(int i);  ///< to the free speed; returns the energy taken [J]
+  void slow_down(int i);  ///< to the free speed, where it is faster and touches nothing
   void collect();
   std::vector<int> types_that_count() const;
   void set_inertia();

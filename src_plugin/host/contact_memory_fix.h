@@ -24,7 +24,7 @@ class ContactMemoryFix : public LAMMPS_NS::Fix {
 
  protected:
   /// What the contact of grain i with this wall remembers.
-  double* contact_memory(int i) { return memory_[i]; }
+  double* contact_memory(int i) const { return memory_[i]; }
 
  private:
   double** memory_ = nullptr;

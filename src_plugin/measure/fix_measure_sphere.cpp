@@ -4,13 +4,12 @@
 #include "host/rank_sums.h"
 #include "host/stop_run.h"
 #include "measure/sphere_overlap.h"
-#include "output/prepare_series.h"
+#include "output/output_places.h"
 #include "output/vtk_spheres_writer.h"
 #include "servo/find_platens.h"
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <type_traits>
 
 namespace encased_column {
@@ -81,17 +80,9 @@ FixMeasureSphere::FixMeasureSphere(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     read_spheres(options);
     nevery = static_cast<int>(options.integer("every", 1, 1000));
     const std::string file = options.word("file", "spheres.csv");
-    int writable = comm->me != 0 || std::ofstream(file, std::ios::app);
-    MPI_Bcast(&writable, 1, MPI_INT, 0, world);
-    if (!writable)
-      throw InputError("'file' must be a file that can be written, found '" + file +
-                       "', create its folder or give another name");
+    require_writable(lmp, "file", file, file);
     file_ = CsvSeries(file, columns);
-    if (options.has("folder")) {
-      const std::string folder = options.word("folder");
-      series_ = std::make_unique<VtkSeries>(folder, options.word("name", "spheres"));
-      prepare_on_first_rank(lmp, *series_, folder);
-    }
+    if (options.has("folder")) series_ = series_of(lmp, options, "spheres");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -311,27 +302,34 @@ double FixMeasureSphere::compute_array(int sphere, int column)
   return rows_[sphere][column];
 }
 
-/// The time in eight bytes, then the series as text.
+/// The time and the rows as they are, then the series as text.
 void FixMeasureSphere::write_restart(FILE* file)
 {
   if (comm->me != 0) return;
-  const double time = clock_.now();
+  std::vector<double> numbers{clock_.now()};
+  for (const std::vector<double>& row : rows_)
+    numbers.insert(numbers.end(), row.begin(), row.end());
   const std::string text = series_ ? series_->saved() : "";
-  const int size = static_cast<int>(sizeof(time) + text.size() + 1);
+  const int size = static_cast<int>(numbers.size() * sizeof(double) + text.size() + 1);
   fwrite(&size, sizeof(int), 1, file);
-  fwrite(&time, sizeof(time), 1, file);
+  fwrite(numbers.data(), sizeof(double), numbers.size(), file);
   fwrite(text.c_str(), 1, text.size() + 1, file);
 }
 
 void FixMeasureSphere::restart(char* buffer)
 {
+  const auto take = [&buffer](double* numbers, std::size_t count) {
+    std::memcpy(numbers, buffer, count * sizeof(double));
+    buffer += count * sizeof(double);
+  };
   double time;
-  std::memcpy(&time, buffer, sizeof(time));
+  take(&time, 1);
+  for (std::vector<double>& row : rows_) take(row.data(), row.size());
   clock_.restart(time);
   sampled_ = true;
   if (comm->me != 0) return;
   if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop(file_.path());
-  if (series_ && !series_->restore(buffer + sizeof(time)))
+  if (series_ && !series_->restore(buffer))
     stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
 }
 

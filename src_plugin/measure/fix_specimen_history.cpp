@@ -9,11 +9,11 @@
 #include "host/stop_run.h"
 #include "measure/coordination.h"
 #include "measure/sphere_overlap.h"
+#include "output/output_places.h"
 #include "servo/find_platens.h"
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
 
 namespace encased_column {
 
@@ -77,11 +77,7 @@ FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** 
     motion_id_ = options.word("motion");
     nevery = static_cast<int>(options.integer("every", 1, 200));
     const std::string file = options.word("file", "history.csv");
-    int writable = comm->me != 0 || std::ofstream(file, std::ios::app);
-    MPI_Bcast(&writable, 1, MPI_INT, 0, world);
-    if (!writable)
-      throw InputError("'file' must be a file that can be written, found '" + file +
-                       "', create its folder or give another name");
+    require_writable(lmp, "file", file, file);
     file_ = CsvSeries(file, {columns, columns + column_count});
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());

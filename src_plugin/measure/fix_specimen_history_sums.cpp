@@ -44,7 +44,9 @@ bool FixSpecimenHistory::is_in_core(int i) const
 void FixSpecimenHistory::add_to_core(int i, const Vec3& lever, const Vec3& force)
 {
   if (!is_in_core(i)) return;
-  const Vec3 outward = Vec3(atom->x[i][0], atom->x[i][1], 0.0).normalized();
+  Vec3 outward = as_vec3(atom->x[i]) - side_->axis();
+  outward.z() = 0.0;
+  outward.normalize();
   core_.axial += love_weber(force, lever, Vec3::UnitZ());
   core_.radial += love_weber(force, lever, outward);
 }

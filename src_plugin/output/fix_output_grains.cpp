@@ -2,7 +2,7 @@
 
 #include "core/input_error.h"
 #include "host/stop_run.h"
-#include "output/prepare_series.h"
+#include "output/output_places.h"
 
 #include "memory.h"
 
@@ -50,14 +50,9 @@ void FixOutputGrains::read_keywords(int narg, char** arg)
 {
   const Options options = keywords.read(narg, arg);
   nevery = static_cast<int>(options.integer("every", 1));
-  const std::string folder = options.word("folder"), name = options.word("name", "grains");
-  if (name.find_first_of("/\\") != std::string::npos)
-    throw InputError("'name' must not hold a slash, found '" + name +
-                     "', write the path as 'folder ...'");
-  series_ = std::make_unique<VtkSeries>(folder, name);
   options_.compress = options.choice("compress", {"yes", "no"}, "yes") == "yes";
   options_.rotation = options.choice("rotation", {"yes", "no"}, "yes") == "yes";
-  prepare_on_first_rank(lmp, *series_, folder);
+  series_ = series_of(lmp, options, "grains");
 }
 
 int FixOutputGrains::setmask()

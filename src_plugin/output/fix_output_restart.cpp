@@ -3,6 +3,7 @@
 #include "core/input_error.h"
 #include "host/rank_sums.h"
 #include "host/stop_run.h"
+#include "output/output_places.h"
 #include "output/whole_file.h"
 
 #include "signal_handling.h"
@@ -11,7 +12,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <fstream>
 
 namespace encased_column {
 
@@ -41,11 +41,7 @@ FixOutputRestart::FixOutputRestart(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     const Options options = keywords.read(narg, arg);
     nevery = static_cast<int>(options.integer("every", 1));
     file_ = options.word("file");
-    int writable = comm->me != 0 || std::ofstream(unfinished(file_), std::ios::app);
-    MPI_Bcast(&writable, 1, MPI_INT, 0, world);
-    if (!writable)
-      throw InputError("'file' must be a file that can be written, found '" + file_ +
-                       "', create its folder or give another name");
+    require_writable(lmp, "file", file_, unfinished(file_));
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

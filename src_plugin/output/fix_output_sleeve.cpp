@@ -3,7 +3,7 @@
 #include "core/input_error.h"
 #include "host/find_fix.h"
 #include "host/stop_run.h"
-#include "output/prepare_series.h"
+#include "output/output_places.h"
 #include "output/vtk_sleeve_writer.h"
 #include "shell/fix_mesh_surface_shell.h"
 
@@ -34,8 +34,6 @@ FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     frame_every_ = options.integer("every", 1);
     row_every_ = options.integer("rows", 1, 200);
     nevery = static_cast<int>(std::gcd(frame_every_, row_every_));
-    const std::string folder = options.word("folder");
-    series_ = std::make_unique<VtkSeries>(folder, options.word("name", "sleeve"));
     profile_ = CsvSeries(options.word("profile", "profile.csv"),
                          {"step [-]", "axial_strain [-]", "z [m]", "radius [m]",
                           "radial_displacement [m]", "hoop_strain [-]", "hoop_tension [N/m]"});
@@ -44,7 +42,7 @@ FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
                          "hoop_tension_max [N/m]", "hoop_strain_mean [-]", "hoop_strain_max [-]",
                          "axial_force_top_end [N]", "axial_force_bottom_end [N]",
                          "friction_force [N]", "enclosed_volume [m^3]", "energy [J]"});
-    prepare_on_first_rank(lmp, *series_, folder);
+    series_ = series_of(lmp, options, "sleeve");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

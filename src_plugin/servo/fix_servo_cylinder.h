@@ -17,6 +17,7 @@ class FixServoCylinder : public RigidWall, public SpecimenSide {
   void post_force(int) override { press_grains(); }
   double compute_vector(int n) override;
 
+  Vec3 axis() const override { return {cylinder_.x, cylinder_.y, 0.0}; }
   double enclosed_volume(double z_low, double z_high) const override;
   double cross_section(double) const override { return cylinder_.cross_section(); }
   double radius_at(double) const override { return cylinder_.radius; }

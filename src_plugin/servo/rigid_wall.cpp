@@ -76,7 +76,10 @@ void RigidWall::sum_load()
 
 void RigidWall::initial_integrate(int)
 {
-  speed_ = drive_.speed(update->ntimestep, update->dt, load_, loaded_area(), usual_speed_limit());
+  // The cross section of a sleeve takes a pass over its facets: found only where it counts.
+  const bool by_load = drive_.follows_stress();
+  speed_ = drive_.speed(update->ntimestep, update->dt, load_, by_load ? loaded_area() : 0.0,
+                        by_load ? usual_speed_limit() : 0.0);
   check_reach();
   force_before_ = load_.force;
   advance(speed_ * update->dt);

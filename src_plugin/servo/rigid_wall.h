@@ -4,6 +4,7 @@
 #include "core/input_error.h"
 #include "core/keyword_table.h"
 #include "host/contact_memory_fix.h"
+#include "host/grain_arrays.h"
 #include "servo/wall_drive.h"
 
 #include <cmath>
@@ -53,6 +54,7 @@ class RigidWall : public ContactMemoryFix {
   void press_grains_with(const Shape& shape);
 
  private:
+  static constexpr std::size_t ahead = 12;  ///< grains, when a row is asked for
   template <typename Shape>
   void list_grains_near(const Shape& shape);
   template <bool rolling, typename Shape>
@@ -85,46 +87,56 @@ void RigidWall::press_grains_with(const Shape& shape)
 {
   desk_.ask_probes();
   load_ = WallLoad();
-  // Grains keep their numbers and move less than half the skin between two lists of pairs.
+  // Grains keep their numbers between two lists of pairs.
   if (neighbor->ago == 0 || std::abs(position() - listed_position_) > 0.5 * neighbor->skin)
     list_grains_near(shape);
+  if (near_.empty()) return;
   if (rolling_)
     press<true>(shape);
   else
     press<false>(shape);
 }
 
+// A grain is at most half a skin away from where the last list of pairs found it, so it moves less
+// than a whole one after this list, and the wall half a skin.
 template <typename Shape>
 void RigidWall::list_grains_near(const Shape& shape)
 {
+  const double margin = 1.5 * neighbor->skin;
   near_.clear();
   listed_position_ = position();
   for (int i = 0; i < atom->nlocal; ++i)
     if ((atom->mask[i] & groupbit) &&
-        shape.overlap(atom->x[i], atom->radius[i] + neighbor->skin) > 0.0)
+        shape.overlap(atom->x[i], atom->radius[i] + margin) > 0.0)
       near_.push_back(i);
 }
 
 template <bool rolling, typename Shape>
 void RigidWall::press(const Shape& shape)
 {
-  const double step = static_cast<double>(update->ntimestep);
-  for (const int i : near_) {
-    const double radius = atom->radius[i];
-    const double overlap = shape.overlap(atom->x[i], radius);
+  const GrainArrays grains(atom);
+  const double step = static_cast<double>(update->ntimestep), dt = update->dt;
+  const std::size_t count = near_.size();
+  for (std::size_t n = 0; n < count; ++n) {
+    // Grains at a wall lie far apart in memory.
+    if (n + ahead < count) __builtin_prefetch(grains.x + 3 * near_[n + ahead]);
+    const int i = near_[n];
+    const double radius = grains.radius[i];
+    const double* const center = grains.x + 3 * i;
+    const double overlap = shape.overlap(center, radius);
     if (overlap <= 0.0) continue;
-    const Vec3 normal = shape.normal(atom->x[i]);
+    const Vec3 normal = shape.normal(center);
     const Touch touch{overlap,
                       normal,
-                      atom->rmass[i],
-                      {radius, as_vec3(atom->v[i]), as_vec3(atom->omega[i])},
+                      desk_.has_dashpots() ? grains.mass[i] : 0.0,
+                      {radius, as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
                       {0.0, -speed_ * normal, Vec3::Zero()}};
     const ContactAction action =
-        resolve_contact<rolling>(desk_.material(atom->type[i], wall_type_), touch, update->dt, step,
+        resolve_contact<rolling>(desk_.material(grains.type[i], wall_type_), touch, dt, step,
                                  advance_memory_, contact_memory(i));
     desk_.bear_wall_contact(i, action.stiffness);
-    as_vec3(atom->f[i]) += action.force;
-    as_vec3(atom->torque[i]) += action.moment_i;
+    as_vec3(grains.force + 3 * i) += action.force;
+    as_vec3(grains.moment + 3 * i) += action.moment_i;
     load_.force += action.normal_force;
     load_.stiffness += action.stiffness.normal;
     desk_.book(i, -1, 1.0, advance_memory_, touch, action);

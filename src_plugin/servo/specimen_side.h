@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/vec3.h"
+
 #include <string>
 
 namespace encased_column {
@@ -9,6 +11,8 @@ class SpecimenSide {
  public:
   virtual ~SpecimenSide() = default;
 
+  /// A point of the center line [m].
+  virtual Vec3 axis() const = 0;
   /// Volume [m^3] between two heights [m].
   virtual double enclosed_volume(double z_low, double z_high) const = 0;
   /// Cross section [m^2] at a height [m].

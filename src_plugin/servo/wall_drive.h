@@ -18,6 +18,8 @@ class WallDrive {
   /// Throws InputError.
   void read(const Options& options, long step, double stress_now);
 
+  /// True where speed() goes by the load; otherwise area and limit do not count.
+  bool follows_stress() const { return mode_ == Mode::servo; }
   /// Speed [m/s] towards the specimen at `step` of length `dt` [s].
   double speed(long step, double dt, const WallLoad& load, double area, double usual_limit);
 

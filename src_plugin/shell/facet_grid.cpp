@@ -31,7 +31,10 @@ void FacetGrid::sort(const std::vector<Facet>& facet, const std::vector<Vec3>& p
   // Cubes about as large as a facet; larger ones where a few small facets span a large space.
   const Vec3 extent = high - corner_;
   size_ = std::max(2.0 * largest_radius_, std::cbrt(extent.prod() / most_cells));
-  for (int a = 0; a < 3; ++a) cells_[a] = 1 + static_cast<int>(extent(a) / size_);
+  for (int a = 0; a < 3; ++a) {
+    const double cells = extent(a) / size_;
+    cells_[a] = cells < most_cells ? 1 + static_cast<int>(cells) : 1;  // of no number: one
+  }
 
   const std::size_t cells = static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2];
   begin_.assign(cells + 1, 0);

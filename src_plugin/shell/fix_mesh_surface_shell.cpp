@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace encased_column {
@@ -89,6 +90,9 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
+  // The host takes whatever is called mesh/surface... for a mesh of its own.
+  delete[] style;
+  style = std::strcpy(new char[sizeof("sleeve")], "sleeve");
   restart_global = 1;
   vector_flag = 1;
   size_vector = 15;

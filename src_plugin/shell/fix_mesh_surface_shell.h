@@ -38,6 +38,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
+  Vec3 axis() const override { return axis_; }
   double enclosed_volume(double z_low, double z_high) const override;
   double cross_section(double z) const override;
   double radius_at(double z) const override;
@@ -49,8 +50,6 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   int count_outside(const double* centers, int count, double z_low, double z_high) const override;
 
   const ShellModel& model() const { return *model_; }
-  /// Center line of the sleeve, x and y [m].
-  const Vec3& axis() const { return axis_; }
   /// Between the platens [m].
   HeightWindow window() const;
   double pressure_now() const { return pressure_.at(update->ntimestep); }
@@ -72,7 +71,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   void press_grains(bool advance_memory);
   template <bool rolling>
   void press(bool advance_memory);
-  void sum_loads();
+  void close_loads();
   void weigh();
   void check();
   void warn_of_platens_outside();

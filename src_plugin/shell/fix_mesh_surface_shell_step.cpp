@@ -28,8 +28,7 @@ void FixMeshSurfaceShell::setup(int)
 {
   weighing_ = weighed_step_ != update->dt;
   take_loads(false);
-  sum_loads();
-  if (weighing_) weigh();
+  if (!rigid_) close_loads();
 }
 
 void FixMeshSurfaceShell::initial_integrate(int)
@@ -51,7 +50,13 @@ void FixMeshSurfaceShell::initial_integrate(int)
 void FixMeshSurfaceShell::take_loads(bool advance_memory)
 {
   model_->clear_loads();
-  if (!rigid_) energy_ = model_->add_internal_loads(first_, last_);
+  if (rigid_) {
+    weighing_ = false;
+    weighed_step_ = 0.0;  // a release finds masses anew
+    press_grains(advance_memory);
+    return;
+  }
+  energy_ = model_->add_internal_loads(first_, last_);
   if (const double pressure = pressure_now(); pressure != 0.0) {
     add_pressure(model_->facet(), model_->position(), first_, last_, -pressure,
                  everywhere_ ? HeightWindow() : window(), model_->external());
@@ -119,17 +124,16 @@ void FixMeshSurfaceShell::press(bool advance_memory)
   }
 }
 
-void FixMeshSurfaceShell::sum_loads()
+void FixMeshSurfaceShell::close_loads()
 {
   std::vector<Vec3>& load = model_->load();
   if (comm->nprocs > 1) sum_over_ranks(load.front().data(), 3 * load.size(), world);
+  if (weighing_) weigh();
 }
 
 void FixMeshSurfaceShell::final_integrate()
 {
-  sum_loads();
-  if (!weighing_) return;
-  weigh();
+  if (!rigid_) close_loads();
   if (update->ntimestep % (checks_apart * every_) == 0) check();
 }
 

@@ -1,5 +1,7 @@
 #include "shell/shell_model.h"
 
+#include "dynamics/local_damping.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,16 +11,10 @@ namespace encased_column {
 
 namespace {
 
-/// Local damping per component, as in Itasca's codes: opposes the motion in proportion to the
-/// unbalanced load, so a steady motion is not damped.
 Vec3 damped(const Vec3& load, const Vec3& velocity, double alpha)
 {
-  Vec3 out;
-  for (int i = 0; i < 3; ++i) {
-    const double sign = (velocity(i) > 0.0) - (velocity(i) < 0.0);
-    out(i) = load(i) - alpha * std::abs(load(i)) * sign;
-  }
-  return out;
+  return load.binaryExpr(velocity,
+                         [alpha](double f, double v) { return encased_column::damped(f, v, alpha); });
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
   begin_.assign(1, 0);
   for (int i = 0; i < grains; ++i) {
     const Vec3 center = as_vec3(centers + 3 * i);
-    const double reach = radii[i] + margin;
+    const double reach = radii[i] + 1.5 * margin;
     grid_.near(center, reach, [&](int f) {
       const FacetVectors corner = model.corners(f);
       const Vec3 weight = nearest_on_triangle(corner[0], corner[1], corner[2], center);

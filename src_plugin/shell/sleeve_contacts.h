@@ -19,8 +19,8 @@ struct SurfaceMotion {
 /// overlap, and how the contact force reaches the nodes.
 class SleeveContacts {
  public:
-  /// Lists, for `grains` centers [m] in a row of triples, the facets within radius + `margin` [m].
-  /// The list holds while no grain and no node moves further than half the margin.
+  /// Lists, for `grains` centers [m] in a row of triples, the facets within radius + 1.5 `margin`
+  /// [m]. The list holds while no grain moves further than the margin and no node than half of it.
   void list(const ShellModel& model, const double* centers, const double* radii, int grains,
             double margin);
   /// True once a node has moved more than half the margin since list().

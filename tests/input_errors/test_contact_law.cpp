@@ -65,3 +65,15 @@ run   1
 )",
                  "the linear contact law needs 'coefficientRollingFriction'");
 }
+
+// The host takes it and finds no contact at all: grains pass through one another.
+TEST(ContactLaw, RefusesNeighborMulti)
+{
+  expect_refused("two_grains", R"(
+neighbor 0.0005 multi
+run      1
+)",
+                 "'neighbor' must take the style 'bin', found 'multi', with which the host finds "
+                 "no contacts, write for example 'neighbor 0.0005 bin'");
+}
+

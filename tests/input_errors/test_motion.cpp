@@ -77,19 +77,6 @@ run   1
                  "stable' or for example 'step 1e-6'");
 }
 
-// The host takes it and finds no contact at all: grains pass through one another.
-TEST(Motion, RefusesNeighborMulti)
-{
-  expect_refused("two_grains", R"(
-neighbor 0.0005 multi
-unfix    move
-fix      move all motion
-run      1
-)",
-                 "'neighbor' must take the style 'bin', found 'multi', with which the host finds "
-                 "no contacts, write for example 'neighbor 0.0005 bin'");
-}
-
 TEST(Motion, RefusesDensityScalingWithDashpots)
 {
   expect_refused("two_grains", R"(

@@ -93,3 +93,24 @@ TEST(ContactMemory, IsGoneWhenAGrainLeavesAWallOfTheHostAndReturns)
                    "-0.01\n" +
                    sheared_parted_rejoined(""));
 }
+
+// A mesh of the host's asks for the host's list, which the host makes anew then: springs of the run
+// before must be there.
+TEST(ContactMemory, OutlivesAnotherChoiceOfListsBetweenTwoRuns)
+{
+  const TemporaryFolder folder;
+  const Outcome outcome = run_deck(
+      two_grains("") + "group mover id 2\nfix path mover move linear 0 0.05 0\nrun 100\n" +
+          "unfix path\nfix path mover move linear 0 0 0\nvariable fy equal fy[2]\n"
+          "variable before equal ${fy}\n" +
+          "create_wall_mesh file far.stl shape square half_width 0.002 z 0.205 edge 0.002\n"
+          "fix far all mesh/surface file far.stl type 2\n"
+          "fix far_wall all wall/gran model linear tangential history mesh n_meshes 1 meshes far\n"
+          "run 1\n" +
+          print_numbers("fy[2] v_before"),
+      1, folder.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_LT(outcome.value("fy[2]"), -1.0);
+  EXPECT_NEAR(outcome.value("fy[2]"), outcome.value("v_before"),
+              1e-12 * std::abs(outcome.value("v_before")));
+}

@@ -70,3 +70,17 @@ TEST(SleeveWalls, APlatenInsideTheSleeveIsNot)
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_FALSE(outcome.says("beyond the end"));
 }
+
+// A dump that names no mesh takes all the host thinks are meshes: a sleeve is none to it.
+TEST(SleeveWalls, ADumpOfAllMeshesOfTheHostLeavesTheSleeveOut)
+{
+  const Outcome outcome = grain_on_sleeve(
+      "create_wall_mesh file far.stl shape square half_width 0.05 z 0.1049 edge 0.05\n"
+      "fix far all mesh/surface file far.stl type 2\n"
+      "fix wall all wall/gran model linear tangential history mesh n_meshes 1 meshes far\n"
+      "dump meshes all mesh/stl 1 meshes.stl\nrun 1\n"
+      "shell grep -c facet.normal meshes.stl > facets.txt\n"
+      "variable facets file facets.txt\nprint \"facets ${facets}\"\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(outcome.value("facets"), 8.0);  // two by two squares, halved
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+namespace encased_column {
+
+/// Grains in a row: triples of each vector, one number of each scalar per grain.
+struct GrainRow {
+  double* velocity;      ///< [m/s]
+  double* spin;          ///< [rad/s]
+  const double* force;   ///< [N]
+  const double* moment;  ///< [N m]
+  const double* radius;  ///< [m]
+  const double* mass;    ///< inertial [kg]
+  int count;             ///< at most `longest_row`
+};
+
+constexpr int longest_row = 64;
+
+struct RowKick {
+  double loss;     ///< work of the damping [J]
+  double fastest;  ///< square of the largest component of a velocity after it [m^2/s^2]
+};
+
+/// Half a step `half_step` [s] of damped force and moment on all grains of a row: half_kick() of
+/// local_damping.h with the vector units of the machine. Velocities and spins are the same on every
+/// machine to the last bit; the loss is to the order of its sum (1e-14).
+RowKick kick_grains(const GrainRow& row, double alpha, double half_step);
+
+}  // namespace encased_column
