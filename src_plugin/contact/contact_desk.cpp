@@ -27,6 +27,7 @@ void ContactDesk::open(bool rolling)
 
   for (const ContactMaterial& m : materials_)
     if (m.damping_normal > 0.0 || m.damping_shear > 0.0) has_dashpots_ = true;
+  uses_rows_ = !rolling && !has_dashpots_;
 
   const auto movers = fixes_that_are<InertiaOwner>(lmp_);
   inertia_ = movers.empty() ? nullptr : movers.front();
@@ -60,6 +61,17 @@ void ContactDesk::tell_probes(int i, int j, double share, const Touch& touch,
                         share,
                         action.sliding};
   for (ContactProbe* probe : active_) probe->add_contact(contact);
+}
+
+void ContactDesk::tell_probes(const ContactRow& row)
+{
+  for (int n = 0; n < row.count(); ++n) {
+    const ContactStiffness k = row.stiffness(n);
+    const Contact contact{row.i(n),          row.j(n),  row.normal(n), row.force(n),
+                          row.arm_i(n),      row.distance(n), k.normal, k.shear,
+                          row.stored_energy(n), row.share(n), row.is_sliding(n)};
+    for (ContactProbe* probe : active_) probe->add_contact(contact);
+  }
 }
 
 }  // namespace encased_column

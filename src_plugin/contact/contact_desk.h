@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/resolve_contact.h"
+#include "contact/contact_row.h"
 #include "host/contact_probe.h"
 #include "host/inertia_owner.h"
 
@@ -9,7 +9,9 @@
 namespace encased_column {
 
 /// What pairs and walls share around the contact law: the materials the deck gave, the probes that
-/// listen, and the account of losses. One for each pair style, wall model and rigid wall.
+/// listen, and the account of losses. One for each pair style, wall model and rigid wall. Contacts
+/// are resolved in rows, or one by one where the law has more to it; not by turns, since
+/// sums of forces in another order would not repeat a step to the last bit.
 class ContactDesk {
  public:
   explicit ContactDesk(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
@@ -30,6 +32,20 @@ class ContactDesk {
 
   /// False where no pair of types has a dashpot: nobody then needs the effective mass.
   bool has_dashpots() const { return has_dashpots_; }
+
+  /// True where the law is that of ContactRow.
+  bool uses_rows() const { return uses_rows_; }
+
+  /// Resolves the contacts of a row, books their losses and tells the probes.
+  void resolve(ContactRow& row, bool advance)
+  {
+    const double step = static_cast<double>(lmp_->update->ntimestep);
+    const double loss = row.resolve(lmp_->update->dt, step, advance);
+    if (!active_.empty()) tell_probes(row);
+    if (!advance) return;
+    losses_->friction += loss;
+    row.keep(step);
+  }
 
   /// Books the losses and tells the probes; `share` as in Contact, j = -1 for a wall.
   void book(int i, int j, double share, bool advance, const Touch& touch,
@@ -52,10 +68,11 @@ class ContactDesk {
  private:
   void ask_probes_anew();
   void tell_probes(int i, int j, double share, const Touch& touch, const ContactAction& action);
+  void tell_probes(const ContactRow& row);
 
   LAMMPS_NS::LAMMPS* lmp_;
   int stride_ = 0;
-  bool has_dashpots_ = false;
+  bool has_dashpots_ = false, uses_rows_ = false;
   std::vector<ContactMaterial> materials_;
   InertiaOwner* inertia_ = nullptr;
   std::vector<ContactProbe*> probes_, active_;

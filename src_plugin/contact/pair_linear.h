@@ -55,8 +55,10 @@ class PairLinear
     desk_.ask_probes();
     const GrainArrays grains(lmp_->atom);
     const bool advance = pair->computeflag() && pair->shearupdate();
-    const LAMMPS_NS::NeighList& list = *pair->list;
-    for (int n = 0; n < list.inum; ++n) press_neighbors_of(grains, pair, list.ilist[n], advance);
+    if (desk_.uses_rows())
+      press_in_rows(grains, pair, advance);
+    else
+      press_one_by_one(grains, pair, advance);
   }
 
  private:
@@ -68,7 +70,10 @@ class PairLinear
            !pair->computeflag();
   }
 
-  void press_neighbors_of(const GrainArrays& grains, PairGran* pair, int i, bool advance)
+  /// Calls `found(j, memory)` for every neighbour of grain i that it touches. Those are picked out
+  /// first, without a branch: which ones touch cannot be guessed.
+  template <typename Found>
+  void find_contacts_of(const GrainArrays& grains, PairGran* pair, int i, const Found& found)
   {
     const LAMMPS_NS::NeighList& list = *pair->list;
     const int count = list.numneigh[i];
@@ -76,46 +81,92 @@ class PairLinear
     int* __restrict flags = pair->listgranhistory->firstneigh[i];
     double* __restrict memories = pair->listgranhistory->firstdouble[i] + memory_;
     const int stride = pair->dnum();
+    const Vec3 x_i = as_vec3(grains.x + 3 * i);
+    const double radius = grains.radius[i];
+    constexpr int most = 64;
+    int touched[most];
+
+    for (int first = 0; first < count; first += most) {
+      const int end = std::min(first + most, count);
+      int number = 0;
+      for (int n = first; n < end; ++n) {
+        const int j = neighbors[n] & NEIGHMASK;
+        const double reach = radius + grains.radius[j];
+        const bool touches = (as_vec3(grains.x + 3 * j) - x_i).squaredNorm() < reach * reach;
+        flags[n] = -static_cast<int>(touches) & touching;
+        touched[number] = n;
+        number += touches;
+      }
+      for (int m = 0; m < number; ++m)
+        found(neighbors[touched[m]] & NEIGHMASK, memories + touched[m] * stride);
+    }
+  }
+
+  static ContactBody body(const GrainArrays& grains, int i)
+  {
+    return {grains.radius[i], as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)};
+  }
+
+  /// A pair across a border of ranks is found on both of them.
+  static double share_of(const GrainArrays& grains, int j) { return j < grains.owned ? 1.0 : 0.5; }
+
+  static void push(const GrainArrays& grains, int i, int j, const Vec3& force, const Vec3& moment_i,
+                   const Vec3& moment_j)
+  {
+    as_vec3(grains.force + 3 * i) += force;
+    as_vec3(grains.moment + 3 * i) += moment_i;
+    if (j >= grains.owned) return;
+    as_vec3(grains.force + 3 * j) -= force;
+    as_vec3(grains.moment + 3 * j) += moment_j;
+  }
+
+  void press_in_rows(const GrainArrays& grains, PairGran* pair, bool advance)
+  {
+    const LAMMPS_NS::NeighList& list = *pair->list;
+    for (int n = 0; n < list.inum; ++n) {
+      const int i = list.ilist[n];
+      const ContactBody body_i = body(grains, i);
+      const Vec3 x_i = as_vec3(grains.x + 3 * i);
+      find_contacts_of(grains, pair, i, [&](int j, double* memory) {
+        row_.add(i, j, share_of(grains, j), desk_.material(grains.type[i], grains.type[j]),
+                 as_vec3(grains.x + 3 * j) - x_i, body_i, body(grains, j), memory);
+        if (row_.is_full()) press_row(grains, advance);
+      });
+    }
+    press_row(grains, advance);
+  }
+
+  void press_row(const GrainArrays& grains, bool advance)
+  {
+    desk_.resolve(row_, advance);
+    for (int n = 0; n < row_.count(); ++n)
+      push(grains, row_.i(n), row_.j(n), row_.force(n), row_.moment_i(n), row_.moment_j(n));
+    row_.clear();
+  }
+
+  void press_one_by_one(const GrainArrays& grains, PairGran* pair, bool advance)
+  {
+    const LAMMPS_NS::NeighList& list = *pair->list;
     const double dt = lmp_->update->dt;
     const double step = static_cast<double>(lmp_->update->ntimestep);
-    const Vec3 x_i = as_vec3(grains.x + 3 * i);
-    const ContactBody body_i{grains.radius[i], as_vec3(grains.v + 3 * i),
-                             as_vec3(grains.omega + 3 * i)};
-    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-
-    for (int n = 0; n < count; ++n) {
-      const int j = neighbors[n] & NEIGHMASK;
-      const Vec3 apart = as_vec3(grains.x + 3 * j) - x_i;
-      const double reach = body_i.radius + grains.radius[j];
-      const double square = apart.squaredNorm();
-      if (square >= reach * reach) {
-        flags[n] = 0;
-        continue;
-      }
-      flags[n] = touching;
-      const double distance = std::sqrt(square);
-      const double mass =
-          desk_.has_dashpots() ? effective_mass(grains.mass[i], grains.mass[j]) : 0.0;
-      const Touch touch{
-          reach - distance,
-          apart / distance,
-          mass,
-          body_i,
-          {grains.radius[j], as_vec3(grains.v + 3 * j), as_vec3(grains.omega + 3 * j)}};
-      const ContactAction action = resolve_contact<rolling != LIGGGHTS::ContactModels::ROLLING_OFF>(
-          desk_.material(grains.type[i], grains.type[j]), touch, dt, step, advance,
-          memories + n * stride);
-      force += action.force;
-      moment += action.moment_i;
-      const bool owned = j < grains.owned;
-      if (owned) {
-        as_vec3(grains.force + 3 * j) -= action.force;
-        as_vec3(grains.moment + 3 * j) += action.moment_j;
-      }
-      desk_.book(i, j, owned ? 1.0 : 0.5, advance, touch, action);
+    for (int n = 0; n < list.inum; ++n) {
+      const int i = list.ilist[n];
+      const ContactBody body_i = body(grains, i);
+      find_contacts_of(grains, pair, i, [&](int j, double* memory) {
+        const ContactBody body_j = body(grains, j);
+        const Vec3 apart = as_vec3(grains.x + 3 * j) - as_vec3(grains.x + 3 * i);
+        const double distance = apart.norm();
+        const double mass =
+            desk_.has_dashpots() ? effective_mass(grains.mass[i], grains.mass[j]) : 0.0;
+        const Touch touch{body_i.radius + body_j.radius - distance, apart / distance, mass, body_i,
+                          body_j};
+        const ContactAction action =
+            resolve_contact<rolling != LIGGGHTS::ContactModels::ROLLING_OFF>(
+                desk_.material(grains.type[i], grains.type[j]), touch, dt, step, advance, memory);
+        push(grains, i, j, action.force, action.moment_i, action.moment_j);
+        desk_.book(i, j, share_of(grains, j), advance, touch, action);
+      });
     }
-    as_vec3(grains.force + 3 * i) += force;
-    as_vec3(grains.moment + 3 * i) += moment;
   }
 
   static constexpr int touching = LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL |
@@ -123,6 +174,7 @@ class PairLinear
   LAMMPS_NS::LAMMPS* lmp_;
   PairGran* parent_;
   ContactDesk desk_;
+  ContactRow row_;
   PairList list_;
   int memory_ = 0;
 };

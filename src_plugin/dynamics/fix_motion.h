@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "dynamics/equilibrium.h"
 #include "dynamics/kick_grains.h"
 #include "dynamics/stable_step.h"
 #include "host/contact_probe.h"
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace encased_column {
-
-/// How far the grains are from equilibrium; see fix_motion.md.
-struct Equilibrium {
-  double average = 0.0;   ///< mean unbalanced over mean contact force [-]
-  double maximum = 0.0;   ///< largest unbalanced over mean contact force [-]
-  double contacts = 0.0;  ///< number of contacts [-]
-};
 
 /// Moves the grains: central differences with local damping, a stable step found from the contact
 /// stiffness of every grain, and density scaling when the deck sets the step.
@@ -93,7 +87,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   void look_anew();
   void make_heavier(int i, double inertia) override;
   void keep_momentum();
-  double speed_square(int i) const;
+  double kinetic_energy_of(int i) const;
 
   double damping_;
   int every_;

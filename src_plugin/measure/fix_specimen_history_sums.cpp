@@ -2,6 +2,7 @@
 #include "measure/fix_specimen_history.h"
 
 #include "dynamics/fix_motion.h"
+#include "dynamics/kinetic_energy.h"
 #include "host/gravity.h"
 #include "host/rank_sums.h"
 #include "measure/love_weber.h"
@@ -64,9 +65,7 @@ FixSpecimenHistory::Sums FixSpecimenHistory::sum_up()
     sums.mass += atom->rmass[i];
     sums.diameter += 2.0 * r * atom->rmass[i];
     sums.weight_height += atom->rmass[i] * gravity.dot(as_vec3(atom->x[i]));
-    sums.kinetic +=
-        0.5 * inertia *
-        (as_vec3(atom->v[i]).squaredNorm() + 0.4 * r * r * as_vec3(atom->omega[i]).squaredNorm());
+    sums.kinetic += kinetic_energy(inertia, r, as_vec3(atom->v[i]), as_vec3(atom->omega[i]));
     if (is_in_core(i)) sums.core_solid += sphere_volume(r);
     if (contacts_of_[i] == 0) sums.without_contact += 1.0;
     if (contacts_of_[i] == 1) sums.with_one_contact += 1.0;

@@ -67,6 +67,25 @@ void RigidWall::setup(int flags)
   sum_load();
 }
 
+void RigidWall::press_row(const GrainArrays& grains)
+{
+  desk_.resolve(row_, advance_memory_);
+  for (int n = 0; n < row_.count(); ++n)
+    push(grains, row_.i(n), row_.force(n), row_.moment_i(n), row_.normal_force(n),
+         row_.stiffness(n));
+  row_.clear();
+}
+
+void RigidWall::push(const GrainArrays& grains, int i, const Vec3& force, const Vec3& moment,
+                     double normal_force, const ContactStiffness& stiffness)
+{
+  desk_.bear_wall_contact(i, stiffness);
+  as_vec3(grains.force + 3 * i) += force;
+  as_vec3(grains.moment + 3 * i) += moment;
+  load_.force += normal_force;
+  load_.stiffness += stiffness.normal;
+}
+
 void RigidWall::sum_load()
 {
   double sums[2] = {load_.force, load_.stiffness};

@@ -54,11 +54,17 @@ class RigidWall : public ContactMemoryFix {
   void press_grains_with(const Shape& shape);
 
  private:
-  static constexpr std::size_t ahead = 12;  ///< grains, when a row is asked for
   template <typename Shape>
   void list_grains_near(const Shape& shape);
+  template <typename Shape, typename Found>
+  void find_contacts(const Shape& shape, const GrainArrays& grains, const Found& found);
+  template <typename Shape>
+  void press_in_rows(const Shape& shape, const GrainArrays& grains);
   template <bool rolling, typename Shape>
-  void press(const Shape& shape);
+  void press_one_by_one(const Shape& shape, const GrainArrays& grains);
+  void press_row(const GrainArrays& grains);
+  void push(const GrainArrays& grains, int i, const Vec3& force, const Vec3& moment,
+            double normal_force, const ContactStiffness& stiffness);
   void sum_load();
 
   /// The state in a restart file; the stress is where a ramp would start.
@@ -73,6 +79,7 @@ class RigidWall : public ContactMemoryFix {
   Options on_fix_line_;
   WallDrive drive_;
   ContactDesk desk_;
+  ContactRow row_;
   int wall_type_ = 0;
   bool rolling_ = false;
   bool advance_memory_ = true;
@@ -91,10 +98,13 @@ void RigidWall::press_grains_with(const Shape& shape)
   if (neighbor->ago == 0 || std::abs(position() - listed_position_) > 0.5 * neighbor->skin)
     list_grains_near(shape);
   if (near_.empty()) return;
-  if (rolling_)
-    press<true>(shape);
+  const GrainArrays grains(atom);
+  if (desk_.uses_rows())
+    press_in_rows(shape, grains);
+  else if (rolling_)
+    press_one_by_one<true>(shape, grains);
   else
-    press<false>(shape);
+    press_one_by_one<false>(shape, grains);
 }
 
 // A grain is at most half a skin away from where the last list of pairs found it, so it moves less
@@ -111,36 +121,46 @@ void RigidWall::list_grains_near(const Shape& shape)
       near_.push_back(i);
 }
 
-template <bool rolling, typename Shape>
-void RigidWall::press(const Shape& shape)
+/// Calls `found(i, touch)` for every grain that touches the wall.
+template <typename Shape, typename Found>
+void RigidWall::find_contacts(const Shape& shape, const GrainArrays& grains, const Found& found)
 {
-  const GrainArrays grains(atom);
-  const double step = static_cast<double>(update->ntimestep), dt = update->dt;
-  const std::size_t count = near_.size();
-  for (std::size_t n = 0; n < count; ++n) {
-    // Grains at a wall lie far apart in memory.
-    if (n + ahead < count) __builtin_prefetch(grains.x + 3 * near_[n + ahead]);
-    const int i = near_[n];
+  for (const int i : near_) {
     const double radius = grains.radius[i];
     const double* const center = grains.x + 3 * i;
     const double overlap = shape.overlap(center, radius);
     if (overlap <= 0.0) continue;
     const Vec3 normal = shape.normal(center);
-    const Touch touch{overlap,
-                      normal,
-                      desk_.has_dashpots() ? grains.mass[i] : 0.0,
-                      {radius, as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
-                      {0.0, -speed_ * normal, Vec3::Zero()}};
-    const ContactAction action =
-        resolve_contact<rolling>(desk_.material(grains.type[i], wall_type_), touch, dt, step,
-                                 advance_memory_, contact_memory(i));
-    desk_.bear_wall_contact(i, action.stiffness);
-    as_vec3(grains.force + 3 * i) += action.force;
-    as_vec3(grains.moment + 3 * i) += action.moment_i;
-    load_.force += action.normal_force;
-    load_.stiffness += action.stiffness.normal;
-    desk_.book(i, -1, 1.0, advance_memory_, touch, action);
+    found(i, Touch{overlap,
+                   normal,
+                   desk_.has_dashpots() ? grains.mass[i] : 0.0,
+                   {radius, as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
+                   {0.0, -speed_ * normal, Vec3::Zero()}});
   }
+}
+
+template <typename Shape>
+void RigidWall::press_in_rows(const Shape& shape, const GrainArrays& grains)
+{
+  find_contacts(shape, grains, [&](int i, const Touch& touch) {
+    row_.add(i, -1, 1.0, desk_.material(grains.type[i], wall_type_),
+             (touch.i.radius - touch.overlap) * touch.normal, touch.i, touch.j, contact_memory(i));
+    if (row_.is_full()) press_row(grains);
+  });
+  press_row(grains);
+}
+
+template <bool rolling, typename Shape>
+void RigidWall::press_one_by_one(const Shape& shape, const GrainArrays& grains)
+{
+  const double step = static_cast<double>(update->ntimestep);
+  find_contacts(shape, grains, [&](int i, const Touch& touch) {
+    const ContactAction action =
+        resolve_contact<rolling>(desk_.material(grains.type[i], wall_type_), touch, update->dt,
+                                 step, advance_memory_, contact_memory(i));
+    push(grains, i, action.force, action.moment_i, action.normal_force, action.stiffness);
+    desk_.book(i, -1, 1.0, advance_memory_, touch, action);
+  });
 }
 
 }  // namespace encased_column

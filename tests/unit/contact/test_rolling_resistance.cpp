@@ -8,11 +8,11 @@ namespace {
 
 const double shear_stiffness = 1e5, friction = 0.2, radius = 0.005, normal_force = 30.0;
 const double limit = friction * normal_force * radius;
-const Vec3 along_x(1.0, 0.0, 0.0);
+const Vec3 contact_normal(1.0, 0.0, 0.0);
 
 double advance(const Vec3& spin, double dt, Vec3& torque)
 {
-  return advance_rolling_torque(shear_stiffness, friction, radius, normal_force, spin, along_x, dt,
+  return advance_rolling_torque(shear_stiffness, friction, radius, normal_force, spin, contact_normal, dt,
                                 torque);
 }
 

@@ -21,7 +21,7 @@ const auto log_uniform = ClassDistribution::log_uniform;
 const auto uniform = ClassDistribution::uniform;
 const auto uniform_number = ClassDistribution::uniform_number;
 const std::vector<ClassDistribution> all_distributions{log_uniform, uniform, uniform_number};
-const double specimen = pi * 0.05 * 0.05 * 0.2;
+const double specimen_volume = pi * 0.05 * 0.05 * 0.2;
 
 /// The sentence `action` stops with.
 template <typename Action>
@@ -116,11 +116,11 @@ TEST(DrawDiameters, MeetsTheMassOfEveryClassAndTheWholeVolumeToRoundOff)
 {
   for (const ClassDistribution distribution : all_distributions)
     for (const std::uint64_t seed : {0, 1, 77}) {
-      const double solid = solid_volume(0.2, specimen);
+      const double solid = solid_volume(0.2, specimen_volume);
       const std::vector<double> diameters =
           draw_diameters(cinder_gravel, distribution, solid, seed);
       EXPECT_NEAR(volume_of(diameters) / solid, 1.0, 1e-12);
-      EXPECT_NEAR(porosity_of(diameters, specimen), 0.2, 1e-12);
+      EXPECT_NEAR(porosity_of(diameters, specimen_volume), 0.2, 1e-12);
       const std::vector<ClassContent> contents = sieve(cinder_gravel, diameters);
       for (std::size_t k = 0; k < contents.size(); ++k)
         EXPECT_NEAR(contents[k].mass_percent, cinder_gravel[k].mass_percent, 1e-9);
@@ -155,7 +155,7 @@ TEST(DrawDiameters, KeepsEveryGrainInItsClassAlsoWhenAClassHoldsFewGrains)
 
 TEST(DrawDiameters, OfCinderGravelComesNearThePublishedNumberOfGrains)
 {
-  const double solid = solid_volume(0.2, specimen);
+  const double solid = solid_volume(0.2, specimen_volume);
   const auto count = draw_diameters(cinder_gravel, uniform_number, solid, 1).size();
   EXPECT_NEAR(static_cast<double>(count), 54410.0, 0.002 * 54410.0);
 }

@@ -10,7 +10,7 @@ using namespace encased_column;
 
 namespace {
 
-constexpr double degree = pi / 180.0;
+constexpr double one_degree = pi / 180.0;
 
 // The Mohr circle that touches tau = c + sigma tan(phi): its radius is c cos(phi) + centre
 // sin(phi), the centre sigma3 + radius.
@@ -31,7 +31,7 @@ TEST(StressPoint, HasAThirdOfTheDeviatorAboveTheConfiningStressAsMean)
 
 TEST(FailureLine, ThroughThreeExactMohrCirclesGivesBackFrictionAngleAndCohesion)
 {
-  for (const double phi : {5.0 * degree, 36.4 * degree, 60.0 * degree})
+  for (const double phi : {5.0 * one_degree, 36.4 * one_degree, 60.0 * one_degree})
     for (const double c : {0.0, 2.1e3, 153.8e3}) {
       std::vector<StressPoint> peaks;
       for (const double sigma3 : {50e3, 100e3, 150e3})
@@ -45,7 +45,7 @@ TEST(FailureLine, ThroughThreeExactMohrCirclesGivesBackFrictionAngleAndCohesion)
 // Published: 36.5 deg and 0.5 kPa, from which 148.8, 295.6 and 442.4 kPa were derived.
 TEST(FailureLine, OfThePublishedStrengthPassesThroughThePublishedPeaks)
 {
-  const FailureLine line = failure_line_of({36.5 * degree, 0.5e3});
+  const FailureLine line = failure_line_of({36.5 * one_degree, 0.5e3});
   const double sigma3[] = {50e3, 100e3, 150e3}, q[] = {148.8e3, 295.6e3, 442.4e3};
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(line.deviatoric_stress(sigma3[i] + q[i] / 3.0), q[i], 0.1e3);

@@ -78,8 +78,8 @@ TEST(SleeveWalls, ADumpOfAllMeshesOfTheHostLeavesTheSleeveOut)
       "create_wall_mesh file far.stl shape square half_width 0.05 z 0.1049 edge 0.05\n"
       "fix far all mesh/surface file far.stl type 2\n"
       "fix wall all wall/gran model linear tangential history mesh n_meshes 1 meshes far\n"
-      "dump meshes all mesh/stl 1 meshes.stl\nrun 1\n"
-      "shell grep -c facet.normal meshes.stl > facets.txt\n"
+      "dump meshes all mesh/stl 1 meshes*.stl\nrun 1\n"
+      "shell grep -c facet.normal meshes0.stl > facets.txt\n"
       "variable facets file facets.txt\nprint \"facets ${facets}\"\n");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_EQ(outcome.value("facets"), 8.0);  // two by two squares, halved

@@ -1,0 +1,78 @@
+#include "contact/contact_row.h"
+
+#include "core/vector_units.h"
+
+namespace encased_column {
+
+// The arithmetic of resolve_contact() and linear_contact(), written out: three components of a
+// vector are three rows here. Where a contact does not slide, what is kept is the trial itself and
+// the loss is zero without a branch.
+ENCASE_VECTOR_UNITS
+double ContactRow::resolve(double dt, double step, bool advance)
+{
+  const double moves = advance ? 1.0 : 0.0, way = advance ? dt : 0.0;
+  const double slack = slider_slack(advance);
+  double loss = 0.0;
+#pragma omp simd reduction(+ : loss)
+  for (int n = 0; n < count_; ++n) {
+    const double ax = normal_[0][n], ay = normal_[1][n], az = normal_[2][n];
+    const double r_i = radius_i_[n], r_j = radius_j_[n], length = r_i + r_j;
+    const double distance = std::sqrt(ax * ax + ay * ay + az * az);
+    const double overlap = length - distance;
+    const double nx = ax / distance, ny = ay / distance, nz = az / distance;
+    normal_[0][n] = nx;
+    normal_[1][n] = ny;
+    normal_[2][n] = nz;
+    overlap_[n] = overlap;
+
+    const double smaller = r_j > 0.0 && r_j < r_i ? r_j : r_i;
+    const double k_n = pi * smaller * smaller * modulus_[n] / length;
+    const double k_t = k_n / ratio_[n];
+    const double pressing = k_n * overlap;
+
+    // Arms are the radii less half the overlap.
+    const double lx = rolled_[0][n] - 0.5 * overlap * spin_[0][n];
+    const double ly = rolled_[1][n] - 0.5 * overlap * spin_[1][n];
+    const double lz = rolled_[2][n] - 0.5 * overlap * spin_[2][n];
+    double vx = velocity_[0][n], vy = velocity_[1][n], vz = velocity_[2][n];
+
+    // Slip: what is left of the velocity in the contact plane, with what the spins add.
+    const double closing = vx * nx + vy * ny + vz * nz;
+    vx = vx - closing * nx + (ly * nz - lz * ny);
+    vy = vy - closing * ny + (lz * nx - lx * nz);
+    vz = vz - closing * nz + (lx * ny - ly * nx);
+
+    const double old = seen_[n] < step - 1.0 ? 0.0 : 1.0;  // one that was not there starts anew
+    const double sx = old * spring_[0][n], sy = old * spring_[1][n], sz = old * spring_[2][n];
+    double tx = sx + vx * way, ty = sy + vy * way, tz = sz + vz * way;
+    const double along = moves * (tx * nx + ty * ny + tz * nz);
+    tx -= along * nx;
+    ty -= along * ny;
+    tz -= along * nz;
+
+    const double elastic = k_t * std::sqrt(tx * tx + ty * ty + tz * tz);
+    const double limit = friction_[n] * pressing * slack;
+    const double part = elastic > limit ? limit / elastic : 1.0;
+    part_[n] = part;
+    const double kx = part * tx, ky = part * ty, kz = part * tz;
+    loss += share_[n] * 0.5 * k_t *
+            ((sx + kx) * (tx - kx) + (sy + ky) * (ty - ky) + (sz + kz) * (tz - kz));
+    spring_[0][n] = advance ? kx : tx;
+    spring_[1][n] = advance ? ky : ty;
+    spring_[2][n] = advance ? kz : tz;
+
+    const double fx = -k_t * kx, fy = -k_t * ky, fz = -k_t * kz;
+    force_[0][n] = fx - pressing * nx;
+    force_[1][n] = fy - pressing * ny;
+    force_[2][n] = fz - pressing * nz;
+    twist_[0][n] = ny * fz - nz * fy;
+    twist_[1][n] = nz * fx - nx * fz;
+    twist_[2][n] = nx * fy - ny * fx;
+    normal_force_[n] = pressing;
+    normal_stiffness_[n] = k_n;
+    shear_stiffness_[n] = k_t;
+  }
+  return loss;
+}
+
+}  // namespace encased_column

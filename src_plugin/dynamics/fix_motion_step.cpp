@@ -1,0 +1,145 @@
+// What the motion does in a step, and how it finds inertia, step and equilibrium.
+#include "dynamics/fix_motion.h"
+
+#include "core/constants.h"
+#include "dynamics/kinetic_energy.h"
+#include "host/rank_sums.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace encased_column {
+
+// A grain that touches little now may touch more in the next step: no grain counts as softer than
+// one contact with something flat of its own kind makes it. Walls see to themselves.
+void FixMotion::set_inertia()
+{
+  double stable = 1e300, factor = 1.0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double one_contact = pi * atom->radius[i] * stiffest_material_;
+    const double stiffness = std::max(one_contact, stiffness_[i].decisive(rolling_));
+    inertia_[i] = atom->rmass[i];
+    if (scaled_step_ > 0.0)
+      inertia_[i] = std::max(inertia_[i], mass_for_step(scaled_step_, stiffness, safety_));
+    factor = std::max(factor, inertia_[i] / atom->rmass[i]);
+    stable = std::min(stable, stable_step(inertia_[i], stiffness, safety_));
+  }
+  largest_factor_ = max_over_ranks(factor, world);
+  stable_step_ = min_over_ranks(stable, world);
+  if (scaled_step_ > 0.0 || atom->natoms == 0) return;
+  update->update_time();  // with the step that was made
+  update->dt = stable_step_;
+}
+
+double FixMotion::kinetic_energy_of(int i) const
+{
+  return kinetic_energy(inertia_[i], atom->radius[i], as_vec3(atom->v[i]), as_vec3(atom->omega[i]));
+}
+
+// The way of this step was gone at the old speed: the grain slows down once the force of the step
+// has done its work on it. What the higher mass makes of its energy until then is booked at once.
+void FixMotion::make_heavier(int i, double inertia)
+{
+  heavier_.emplace_back(i, inertia_[i] / inertia);
+  loss_ += kinetic_energy_of(i);
+  inertia_[i] = inertia;
+  loss_ -= kinetic_energy_of(i);
+  if (setting_up_) keep_momentum();  // no way was gone
+}
+
+void FixMotion::keep_momentum()
+{
+  for (const auto& [i, part] : heavier_) {
+    loss_ += kinetic_energy_of(i);
+    as_vec3(atom->v[i]) *= part;
+    as_vec3(atom->omega[i]) *= part;
+    loss_ -= kinetic_energy_of(i);
+  }
+  heavier_.clear();
+}
+
+void FixMotion::weigh_equilibrium()
+{
+  ForceSums sums{0.0, 0.0, contact_force_sum_, contact_count_};
+  double largest = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double unbalanced = as_vec3(atom->f[i]).norm();
+    sums.unbalanced += unbalanced;
+    sums.grains += 1.0;
+    largest = std::max(largest, unbalanced);
+  }
+  sum_over_ranks(&sums.unbalanced, sizeof(ForceSums) / sizeof(double), world);
+  if (!std::isfinite(sums.unbalanced + sums.contact))
+    error->fix_error(FLERR, this,
+                     ("the forces on the grains are not numbers at step " +
+                      std::to_string(update->ntimestep) +
+                      ", go back to the last restart file with a smaller step")
+                         .c_str());
+  equilibrium_ = equilibrium_of(sums, max_over_ranks(largest, world));
+}
+
+GrainRow FixMotion::row(int first, int count) const
+{
+  return {atom->v[first],     atom->omega[first],  atom->f[first],  atom->torque[first],
+          atom->radius + first, inertia_ + first, count};
+}
+
+/// Calls `kick(first, count)` for all grains of the group, in rows.
+template <typename Kick>
+void FixMotion::for_rows(const Kick& kick) const
+{
+  const int* const mask = atom->mask;
+  for (int first = 0; first < atom->nlocal;) {
+    int end = first;
+    while (end < atom->nlocal && end < first + longest_row && (mask[end] & groupbit)) ++end;
+    if (end > first) kick(first, end - first);
+    first = end > first ? end : first + 1;
+  }
+}
+
+// Forces were summed up in a cleared array: on a grain without contact nothing is left but its
+// weight.
+bool FixMotion::touches_nothing(int i) const
+{
+  return (as_vec3(atom->f[i]) - atom->rmass[i] * gravity_).squaredNorm() <=
+         1e-20 * atom->rmass[i] * atom->rmass[i] * gravity_.squaredNorm();
+}
+
+void FixMotion::slow_down(int i)
+{
+  const double square = as_vec3(atom->v[i]).squaredNorm();
+  if (square <= free_speed_square_ || !touches_nothing(i)) return;
+  as_vec3(atom->v[i]) *= std::sqrt(free_speed_square_ / square);
+  loss_ += 0.5 * inertia_[i] * (square - free_speed_square_);
+}
+
+void FixMotion::initial_integrate(int)
+{
+  if (anew_) look_anew();
+  anew_ = setting_up_ = false;
+  keep_momentum();
+  const double dt = update->dt;
+  for_rows([&](int first, int count) {
+    const RowKick kick = kick_grains(row(first, count), damping_, 0.5 * dt);
+    loss_ += kick.loss;
+    if (3.0 * kick.fastest > free_speed_square_)
+      for (int i = first; i < first + count; ++i) slow_down(i);
+    double* const __restrict x = atom->x[first];
+    const double* const __restrict v = atom->v[first];
+    for (int k = 0; k < 3 * count; ++k) x[k] += dt * v[k];
+  });
+}
+
+void FixMotion::final_integrate()
+{
+  for_rows([&](int first, int count) {
+    loss_ += kick_grains(row(first, count), damping_, 0.5 * update->dt).loss;
+  });
+  keep_momentum();
+  if (!wants_contacts(update->ntimestep)) return;
+  weigh_equilibrium();
+  set_inertia();
+}
+
+}  // namespace encased_column

@@ -1,0 +1,124 @@
+#include "contact/contact_row.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+using namespace encased_column;
+
+namespace {
+
+/// Contacts of all kinds: pairs and walls, sliding and sticking, new ones and old ones.
+struct Contacts {
+  std::vector<ContactMaterial> material;
+  std::vector<Touch> touch;
+  std::vector<std::array<double, memory_size>> memory;
+
+  explicit Contacts(int count, unsigned seed)
+  {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> part(0.0, 1.0), both(-1.0, 1.0);
+    const auto vector = [&](double size) {
+      return Vec3(size * both(random), size * both(random), size * both(random));
+    };
+    for (int n = 0; n < count; ++n) {
+      const bool wall = part(random) < 0.3;
+      const double r_i = 1e-3 * (1.0 + 6.0 * part(random));
+      const double r_j = wall ? 0.0 : 1e-3 * (1.0 + 6.0 * part(random));
+      material.push_back({7e6 * (1.0 + part(random)), 0.5 + 3.0 * part(random),
+                          part(random) < 0.1 ? 0.0 : part(random)});
+      touch.push_back({1e-5 + 1e-4 * part(random),
+                       vector(1.0).normalized(),
+                       0.0,
+                       {r_i, vector(0.1), vector(50.0)},
+                       {r_j, vector(0.1), wall ? Vec3(0.0, 0.0, 0.0) : vector(50.0)}});
+      Vec3 spring = vector(1e-4 * part(random));
+      spring -= spring.dot(touch.back().normal) * touch.back().normal;
+      memory.push_back({spring.x(), spring.y(), spring.z(), part(random) < 0.2 ? 7.0 : 9.0});
+    }
+  }
+};
+
+/// Largest difference of a row from the same contacts one by one, relative to the largest force,
+/// moment and spring, over many packings.
+void expect_the_same(bool advance)
+{
+  const double dt = 1e-5, step = 10.0;
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    const int count = 1 + static_cast<int>(seed % ContactRow::size);
+    Contacts together(count, seed), alone(count, seed);
+    ContactRow row;
+    for (int n = 0; n < count; ++n) {
+      const Touch& t = together.touch[n];
+      row.add(n, n + 100, 0.5, together.material[n],
+              (t.i.radius + t.j.radius - t.overlap) * t.normal, t.i, t.j,
+              together.memory[n].data());
+    }
+    const double loss = row.resolve(dt, step, advance);
+    if (advance) row.keep(step);
+    double expected_loss = 0.0;
+    for (int n = 0; n < count; ++n) {
+      const ContactAction one = resolve_contact<false>(alone.material[n], alone.touch[n], dt, step,
+                                                       advance, alone.memory[n].data());
+      expected_loss += 0.5 * one.friction_loss;
+      const double force = one.force.norm(), moment = force * alone.touch[n].i.radius;
+      EXPECT_LE((row.force(n) - one.force).norm(), 1e-12 * force);
+      EXPECT_LE((row.moment_i(n) - one.moment_i).norm(), 1e-12 * moment);
+      if (!alone.touch[n].is_wall()) {
+        EXPECT_LE((row.moment_j(n) - one.moment_j).norm(), 1e-12 * force * 7e-3);
+      }
+      EXPECT_NEAR(row.normal_force(n), one.normal_force, 1e-12 * force);
+      EXPECT_NEAR(row.stored_energy(n), one.stored, 1e-12 * one.stored);
+      EXPECT_NEAR(row.stiffness(n).normal, one.stiffness.normal, 1e-14 * one.stiffness.normal);
+      EXPECT_NEAR(row.stiffness(n).shear, one.stiffness.shear, 1e-14 * one.stiffness.shear);
+      EXPECT_NEAR(row.arm_i(n), one.arm, 1e-17);
+      EXPECT_EQ(row.is_sliding(n), one.sliding);
+      for (int a = 0; a < 3; ++a)
+        EXPECT_NEAR(together.memory[n][a], alone.memory[n][a], 1e-12 * force / one.stiffness.shear);
+      EXPECT_EQ(together.memory[n][3], alone.memory[n][3]);
+    }
+    if (advance) {
+      EXPECT_NEAR(loss, expected_loss, 1e-11 * expected_loss);
+    }
+  }
+}
+
+}  // namespace
+
+TEST(ContactRow, GivesWhatContactsOneByOneGiveInThousandPackings)
+{
+  expect_the_same(true);
+}
+
+TEST(ContactRow, GivesItInASetUpToo)
+{
+  expect_the_same(false);
+}
+
+// A set-up repeats a step: not nearly, but to the last bit.
+TEST(ContactRow, RepeatsTheForcesOfAStepToTheLastBit)
+{
+  Contacts contacts(ContactRow::size, 5);
+  ContactRow row;
+  std::vector<Vec3> force, moment;
+  for (const bool advance : {true, false}) {
+    row.clear();
+    for (int n = 0; n < ContactRow::size; ++n) {
+      const Touch& t = contacts.touch[n];
+      row.add(n, n, 1.0, contacts.material[n], (t.i.radius + t.j.radius - t.overlap) * t.normal,
+              t.i, t.j, contacts.memory[n].data());
+    }
+    row.resolve(1e-5, 10.0, advance);
+    for (int n = 0; n < ContactRow::size; ++n) {
+      if (advance) {
+        force.push_back(row.force(n));
+        moment.push_back(row.moment_i(n));
+      } else {
+        EXPECT_EQ(row.force(n), force[n]);
+        EXPECT_EQ(row.moment_i(n), moment[n]);
+      }
+    }
+    if (advance) row.keep(10.0);
+  }
+}
