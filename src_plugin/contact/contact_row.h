@@ -55,7 +55,7 @@ class ContactRow {
   /// On i, the opposite on j [N].
   Vec3 force(int n) const { return {force_[0][n], force_[1][n], force_[2][n]}; }
   Vec3 moment_i(int n) const { return arm_i(n) * twist(n); }  ///< [N m]
-  Vec3 moment_j(int n) const  ///< [N m], of a wall without meaning
+  Vec3 moment_j(int n) const                                  ///< [N m], of a wall without meaning
   {
     return contact_arm(radius_j_[n], overlap_[n]) * twist(n);
   }

@@ -71,18 +71,18 @@ void FixMotion::weigh_equilibrium()
   }
   sum_over_ranks(&sums.unbalanced, sizeof(ForceSums) / sizeof(double), world);
   if (!std::isfinite(sums.unbalanced + sums.contact))
-    error->fix_error(FLERR, this,
-                     ("the forces on the grains are not numbers at step " +
-                      std::to_string(update->ntimestep) +
-                      ", go back to the last restart file with a smaller step")
-                         .c_str());
+    error->fix_error(
+        FLERR, this,
+        ("the forces on the grains are not numbers at step " + std::to_string(update->ntimestep) +
+         ", go back to the last restart file with a smaller step")
+            .c_str());
   equilibrium_ = equilibrium_of(sums, max_over_ranks(largest, world));
 }
 
 GrainRow FixMotion::row(int first, int count) const
 {
-  return {atom->v[first],     atom->omega[first],  atom->f[first],  atom->torque[first],
-          atom->radius + first, inertia_ + first, count};
+  return {atom->v[first],       atom->omega[first], atom->f[first], atom->torque[first],
+          atom->radius + first, inertia_ + first,   count};
 }
 
 /// Calls `kick(first, count)` for all grains of the group, in rows.

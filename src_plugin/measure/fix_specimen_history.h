@@ -50,6 +50,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
     double axial = 0.0, radial = 0.0;
   };
 
+  static const std::vector<std::string>& columns();
   void clear_sums();
   bool is_in_core(int i) const;
   void add_to_core(int i, const Vec3& lever, const Vec3& force);

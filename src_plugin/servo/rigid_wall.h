@@ -116,8 +116,7 @@ void RigidWall::list_grains_near(const Shape& shape)
   near_.clear();
   listed_position_ = position();
   for (int i = 0; i < atom->nlocal; ++i)
-    if ((atom->mask[i] & groupbit) &&
-        shape.overlap(atom->x[i], atom->radius[i] + margin) > 0.0)
+    if ((atom->mask[i] & groupbit) && shape.overlap(atom->x[i], atom->radius[i] + margin) > 0.0)
       near_.push_back(i);
 }
 

@@ -33,7 +33,12 @@ struct Grains {
   }
   GrainRow row()
   {
-    return {velocity.data(), spin.data(), force.data(), moment.data(), radius.data(), mass.data(),
+    return {velocity.data(),
+            spin.data(),
+            force.data(),
+            moment.data(),
+            radius.data(),
+            mass.data(),
             static_cast<int>(radius.size())};
   }
   std::vector<double> velocity, spin, force, moment, radius, mass;
