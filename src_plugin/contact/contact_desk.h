@@ -12,7 +12,12 @@ namespace encased_column {
 /// listen, and the account of losses. One for each pair style, wall model and rigid wall.
 class ContactDesk {
  public:
-  explicit ContactDesk(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
+  /// `walls` is what contacts without a second grain are with.
+  explicit ContactDesk(LAMMPS_NS::LAMMPS* lmp, ContactKind walls = ContactKind::wall)
+      : lmp_(lmp),
+        walls_(walls)
+  {
+  }
 
   /// At the start of a run: reads materials, finds probes and the account. Throws InputError.
   void open(bool rolling);
@@ -54,6 +59,7 @@ class ContactDesk {
   void tell_probes(int i, int j, double share, const Touch& touch, const ContactAction& action);
 
   LAMMPS_NS::LAMMPS* lmp_;
+  ContactKind walls_;
   int stride_ = 0;
   bool has_dashpots_ = false;
   std::vector<ContactMaterial> materials_;
