@@ -18,8 +18,8 @@ TEST(ContactForces, AreCountedByKindAndLevel)
   ContactForces forces({5.0, 20.0});
   forces.add(0, 4.0, true);
   forces.add(0, 5.0, false);
-  forces.add(1, 19.0, false);
   forces.add(2, 32.0, false);
+  forces.add(1, 19.0, false);
   EXPECT_EQ(forces.contacts(), 4.0);
   EXPECT_EQ(forces.of_kind(0), 2.0);
   EXPECT_EQ(forces.of_kind(1), 1.0);
