@@ -7,6 +7,8 @@
 #include "dynamics/solve_command.h"
 #include "measure/fix_measure_sphere.h"
 #include "measure/fix_specimen_history.h"
+#include "output/fix_output_collection.h"
+#include "output/fix_output_contacts.h"
 #include "output/fix_output_grains.h"
 #include "output/fix_output_restart.h"
 #include "output/fix_output_sleeve.h"
@@ -28,6 +30,8 @@ const std::vector<Style>& style_table()
       {"measure/sphere", make<FixMeasureSphere>()},
       {"mesh/surface/shell", make<FixMeshSurfaceShell>()},
       {"motion", make<FixMotion>()},
+      {"output/collection", make<FixOutputCollection>()},
+      {"output/contacts", make<FixOutputContacts>()},
       {"output/grains", make<FixOutputGrains>()},
       {"output/restart", make<FixOutputRestart>()},
       {"output/sleeve", make<FixOutputSleeve>()},

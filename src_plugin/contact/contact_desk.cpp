@@ -59,7 +59,8 @@ void ContactDesk::tell_probes(int i, int j, double share, const Touch& touch,
                         action.stiffness.shear,
                         action.stored,
                         share,
-                        action.sliding};
+                        action.sliding,
+                        j < 0 ? walls_ : ContactKind::grain};
   for (ContactProbe* probe : active_) probe->add_contact(contact);
 }
 

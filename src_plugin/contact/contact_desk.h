@@ -14,7 +14,12 @@ namespace encased_column {
 /// sums of forces in another order would not repeat a step to the last bit.
 class ContactDesk {
  public:
-  explicit ContactDesk(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
+  /// `walls` is what contacts without a second grain are with.
+  explicit ContactDesk(LAMMPS_NS::LAMMPS* lmp, ContactKind walls = ContactKind::wall)
+      : lmp_(lmp),
+        walls_(walls)
+  {
+  }
 
   /// At the start of a run: reads materials, finds probes and the account. Throws InputError.
   void open(bool rolling);
@@ -71,6 +76,7 @@ class ContactDesk {
   void tell_probes(const ContactRow& row);
 
   LAMMPS_NS::LAMMPS* lmp_;
+  ContactKind walls_;
   int stride_ = 0;
   bool has_dashpots_ = false, uses_rows_ = false;
   std::vector<ContactMaterial> materials_;

@@ -7,10 +7,13 @@
 
 namespace encased_column {
 
+/// What a grain touches.
+enum class ContactKind { grain = 0, wall = 1, sleeve = 2 };
+
 /// One contact as the force computation sees it.
 struct Contact {
   int i;                    ///< local index of the grain
-  int j;                    ///< of the other grain, -1 for a wall
+  int j;                    ///< of the other grain, -1 for a wall or sleeve
   Vec3 normal;              ///< from i to j
   Vec3 force;               ///< on i [N]
   double arm;               ///< from the center of i to the contact [m]
@@ -20,6 +23,7 @@ struct Contact {
   double stored_energy;     ///< [J]
   double share;             ///< part of it this rank counts: 1, or 1/2 across a border
   bool sliding;
+  ContactKind kind;  ///< of what stands where j is
 };
 
 /// A fix that looks at every contact of chosen steps. Whoever computes contacts asks each probe

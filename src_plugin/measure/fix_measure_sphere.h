@@ -17,7 +17,7 @@ class FixServoPlaten;
 
 /// `fix measure/sphere`: porosity, coordination, stress and forces in balls that stand still or
 /// follow the platens, as rows of a CSV file and points of VTK files.
-class FixMeasureSphere : public LAMMPS_NS::Fix, public ContactProbe {
+class FixMeasureSphere : public LAMMPS_NS::Fix, public ContactProbe, public SeriesOwner {
  public:
   static const KeywordTable keywords;
 
@@ -32,6 +32,7 @@ class FixMeasureSphere : public LAMMPS_NS::Fix, public ContactProbe {
   double compute_array(int sphere, int column) override;
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
+  const VtkSeries* series() const override { return series_.get(); }
 
   bool wants_contacts(LAMMPS_NS::bigint step) const override;
   void add_contact(const Contact& contact) override;

@@ -1,7 +1,10 @@
 #include "output/fix_output_grains.h"
 
 #include "core/input_error.h"
+#include "host/gather.h"
 #include "host/stop_run.h"
+#include "measure/local_strain.h"
+#include "measure/sphere_overlap.h"
 #include "output/output_places.h"
 
 #include "memory.h"
@@ -11,12 +14,22 @@
 
 namespace encased_column {
 
+namespace {
+
+/// Neighbours for the strain, where the deck does not say: near enough to see a band some ten
+/// diameters wide, and some tens of load-bearing grains.
+constexpr double usual_range = 1.5;  // mean diameters
+
+}  // namespace
+
 const KeywordTable FixOutputGrains::keywords{
     {"every", 1, "steps", "one file every so many steps"},
     {"folder", 1, "-", "folder of the files, created if missing"},
     {"name", 1, "-", "name of the series (default grains)"},
     {"compress", 1, "-", "yes (default) or no"},
     {"rotation", 1, "-", "yes (default) or no: no array and no cost per step"},
+    {"strain_range", 1, "m",
+     "range of neighbours for the strain (default 1.5 mean diameters), 0: no array"},
 };
 
 FixOutputGrains::FixOutputGrains(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
@@ -52,6 +65,8 @@ void FixOutputGrains::read_keywords(int narg, char** arg)
   nevery = static_cast<int>(options.integer("every", 1));
   options_.compress = options.choice("compress", {"yes", "no"}, "yes") == "yes";
   options_.rotation = options.choice("rotation", {"yes", "no"}, "yes") == "yes";
+  strain_range_ = options.has("strain_range") ? options.not_negative("strain_range", 0.0) : -1.0;
+  options_.strain = strain_range_ != 0.0;
   series_ = series_of(lmp, options, "grains");
 }
 
@@ -143,27 +158,36 @@ std::vector<GrainRecord> FixOutputGrains::grains_of_all_ranks() const
   std::vector<GrainRecord> mine;
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit) mine.push_back(record_of(i));
-
-  const int bytes = static_cast<int>(mine.size() * sizeof(GrainRecord));
-  std::vector<int> counts(comm->nprocs), starts(comm->nprocs, 0);
-  MPI_Gather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
-  for (int rank = 1; rank < comm->nprocs; ++rank)
-    starts[rank] = starts[rank - 1] + counts[rank - 1];
-  std::vector<GrainRecord> all;
-  if (comm->me == 0)
-    all.resize(static_cast<std::size_t>(starts.back() + counts.back()) / sizeof(GrainRecord));
-  MPI_Gatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0,
-              world);
+  std::vector<GrainRecord> all = gather_on_first_rank(mine, lmp);
   std::sort(all.begin(), all.end(),
             [](const GrainRecord& a, const GrainRecord& b) { return a.id < b.id; });
   return all;
 }
 
+/// From the records, where displacements start: on the first rank alone, so that the strain does
+/// not depend on the number of ranks.
+void FixOutputGrains::find_strains(std::vector<GrainRecord>& grains) const
+{
+  std::vector<MovedGrain> moved;
+  std::vector<double> diameters;
+  for (const GrainRecord& grain : grains) {
+    const Vec3 displacement = as_vec3(grain.displacement.data());
+    moved.push_back(
+        {as_vec3(grain.position.data()) - displacement, displacement, sphere_volume(grain.radius)});
+    diameters.push_back(2.0 * grain.radius);
+  }
+  const double range =
+      strain_range_ > 0.0 ? strain_range_ : usual_range * mean_diameter_by_volume(diameters);
+  const std::vector<double> strain = local_deviatoric_strain(moved, range);
+  for (std::size_t n = 0; n < grains.size(); ++n) grains[n].deviatoric_strain = strain[n];
+}
+
 void FixOutputGrains::write()
 {
   written_ = true;
-  const std::vector<GrainRecord> grains = grains_of_all_ranks();
+  std::vector<GrainRecord> grains = grains_of_all_ranks();
   if (comm->me != 0) return;
+  if (options_.strain) find_strains(grains);
   const long step = static_cast<long>(update->ntimestep);
   const std::string path = series_->path_of_step(step);
   if (!write_grains(path, grains, options_) || !series_->list(clock_.now(), step)) stop(path);

@@ -13,7 +13,7 @@
 namespace encased_column {
 
 /// `fix output/grains`: the group's grains as a time series that ParaView opens.
-class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe {
+class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe, public SeriesOwner {
  public:
   static const KeywordTable keywords;
 
@@ -41,6 +41,7 @@ class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe {
   int maxsize_restart() override { return 1 + values_per_grain; }
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
+  const VtkSeries* series() const override { return series_.get(); }
   double memory_usage() override;
 
  private:
@@ -51,10 +52,12 @@ class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe {
   bool contacts_are_counted() const;
   GrainRecord record_of(int i) const;
   std::vector<GrainRecord> grains_of_all_ranks() const;
+  void find_strains(std::vector<GrainRecord>& grains) const;
   void stop(const std::string& path) const;
   void write();
 
   GrainFileOptions options_;
+  double strain_range_ = 0.0;  ///< of neighbours [m], smaller than zero: by the grains' diameter
   RunClock clock_;
   std::unique_ptr<VtkSeries> series_;  ///< used on the first rank only
 

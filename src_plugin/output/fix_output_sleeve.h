@@ -17,7 +17,7 @@ class FixMeshSurfaceShell;
 
 /// `fix output/sleeve`: a sleeve as a time series that ParaView opens, its profile over the height
 /// at the same times, and its curves.
-class FixOutputSleeve : public LAMMPS_NS::Fix {
+class FixOutputSleeve : public LAMMPS_NS::Fix, public SeriesOwner {
  public:
   static const KeywordTable keywords;
 
@@ -29,6 +29,7 @@ class FixOutputSleeve : public LAMMPS_NS::Fix {
   void end_of_step() override;
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
+  const VtkSeries* series() const override { return series_.get(); }
 
  private:
   double height() const;

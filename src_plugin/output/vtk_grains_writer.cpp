@@ -58,6 +58,9 @@ bool write_grains(const std::string& path, const Grains& grains, const GrainFile
   add_vectors("displacement", &GrainRecord::displacement);
   if (options.rotation) add_vectors("rotation", &GrainRecord::rotation);
   add_vectors("velocity", &GrainRecord::velocity);
+  if (options.strain)
+    add_array<1>(data->GetPointData(), "deviatoric_strain [-]", count,
+                 [&](int i) { return grains[i].deviatoric_strain; });
   add_integers(data, "coordination_number", grains, &GrainRecord::coordination_number);
   return write_poly_data(path, data, options.compress);
 }

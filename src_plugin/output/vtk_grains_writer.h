@@ -16,11 +16,13 @@ struct GrainRecord {
   std::array<double, 3> displacement;  ///< [m]
   std::array<double, 3> rotation;      ///< integral of the angular velocity [rad]
   std::array<double, 3> velocity;      ///< [m/s]
+  double deviatoric_strain;            ///< about the grain [-]
 };
 
 struct GrainFileOptions {
   bool compress = true;
   bool rotation = true;  ///< false: the file has no such array
+  bool strain = true;    ///< the same
 };
 
 /// Writes the grains as points of a VTK XML file (.vtp), reals in single precision; false when the

@@ -24,6 +24,11 @@ class VtkSeries {
   /// impossible.
   bool list(double time, long step);
 
+  const std::string& folder() const { return folder_; }
+  const std::string& name() const { return name_; }
+  /// What is listed so far; files are relative to the folder.
+  const std::vector<PvdEntry>& entries() const { return collection_.entries(); }
+
   /// The series as text, for a restart file.
   std::string saved() const;
   /// Goes on with a series saved, as far as its files are still in the folder: files that the run
@@ -37,6 +42,14 @@ class VtkSeries {
 
   std::string folder_, name_;
   PvdCollection collection_;
+};
+
+/// A fix that writes such a series.
+class SeriesOwner {
+ public:
+  virtual ~SeriesOwner() = default;
+  /// None where the deck did not ask for files.
+  virtual const VtkSeries* series() const = 0;
 };
 
 }  // namespace encased_column

@@ -70,7 +70,7 @@ double mean_height(const std::vector<int>& nodes, const SurfaceMesh& mesh)
 
 FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : ContactMemoryFix(lmp, narg, arg),
-      desk_(lmp)
+      desk_(lmp, ContactKind::sleeve)
 {
   try {
     const Options options = keywords.read(narg, arg);

@@ -67,3 +67,75 @@ TEST(Pictures, RefuseToBeTakenWithoutAnInterval)
   expect_refused("two_grains", "fix pictures all output/grains folder grains\nrun 1\n",
                  "keyword 'every' is missing, add 'every ...'");
 }
+
+TEST(Pictures, RefuseARangeOfStrainBelowZero)
+{
+  expect_refused("two_grains",
+                 "fix pictures all output/grains every 100 folder grains strain_range -1\nrun 1\n",
+                 "'strain_range' must be zero or larger, found -1");
+}
+
+TEST(Chains, RefuseAFolderThatCannotBeWritten)
+{
+  expect_refused("two_grains",
+                 "fix chains all output/contacts every 100 folder /dev/null/chains\nrun 1\n",
+                 "'folder' must be a folder that can be written, found '/dev/null/chains', write "
+                 "another path or mend its rights");
+}
+
+TEST(Chains, RefuseAFileThatCannotBeWritten)
+{
+  expect_refused("two_grains",
+                 "fix chains all output/contacts every 100 folder chains file no_folder/c.csv\n"
+                 "run 1\n",
+                 "'file' must be a file that can be written, found 'no_folder/c.csv', create its "
+                 "folder or give another name");
+}
+
+TEST(Chains, RefuseAThresholdThatIsNoNumber)
+{
+  expect_refused(
+      "two_grains", "fix chains all output/contacts every 100 folder chains threshold 5N\nrun 1\n",
+      "'threshold' takes a finite number, found '5N', write for example 'threshold 0.5'");
+}
+
+TEST(Chains, RefuseALevelOfZero)
+{
+  expect_refused("two_grains",
+                 "fix chains all output/contacts every 100 folder chains level 0\nrun 1\n",
+                 "'level' must be larger than zero, found 0, write a force in N");
+}
+
+TEST(Collection, RefusesAPartThatComesAfterIt)
+{
+  expect_refused("two_grains",
+                 "fix together all output/collection part chains\n"
+                 "fix chains all output/contacts every 100 folder chains\nrun 1\n",
+                 "'part' must name a fix that writes a series, found 'chains' and no fix has that "
+                 "ID, define it before");
+}
+
+TEST(Collection, RefusesAPartThatHasBeenTakenAway)
+{
+  expect_refused("two_grains",
+                 "fix chains all output/contacts every 100 folder chains\n"
+                 "fix together all output/collection part chains\nunfix chains\nrun 1\n",
+                 "'part' must name a fix that writes a series, found 'chains' and no fix has that "
+                 "ID, define it before");
+}
+
+TEST(Collection, RefusesAPartOfAnotherKind)
+{
+  expect_refused("two_grains", "fix together all output/collection part move\nrun 1\n",
+                 "'part' must name a fix that writes a series, found 'move', which is a 'fix "
+                 "nve/sphere'");
+}
+
+TEST(Collection, RefusesSpheresWithoutFiles)
+{
+  expect_refused("two_grains",
+                 "fix balls all measure/sphere sphere 0 0 0.1 0.05\n"
+                 "fix together all output/collection part balls\nrun 1\n",
+                 "'part' must name a fix that writes a series, found 'balls', which writes no VTK "
+                 "files, add 'folder ...' to it");
+}

@@ -110,6 +110,73 @@ TEST(MeasuringSphere, StressAndContactsOfASimpleCubicLatticeAreItsClosedForm)
   }
 }
 
+// Twelve contacts a grain, each pressed by F: with four grains in a cell of side a = sqrt(2) d,
+// n = 1 - pi / (3 sqrt(2)) and sigma = (4 / a^3) 12 F (d / 2) / 3 = 4 sqrt(2) F / (2 d^2).
+TEST(MeasuringSphere, StressAndContactsOfAFaceCentredLatticeAreItsClosedForm)
+{
+  const double cell = std::sqrt(2.0) * spacing, solid = pi / (3.0 * std::sqrt(2.0));
+  const MeasuringSphere ball{Vec3(0.002, 0.001, -0.004), 0.1};
+  std::vector<Vec3> normals;
+  for (int a = 0; a < 3; ++a)
+    for (const double one : {1.0, -1.0})
+      for (const double other : {1.0, -1.0})
+        normals.push_back((one * Vec3::Unit(a) + other * Vec3::Unit((a + 1) % 3)).normalized());
+  SphereSums sums;
+  const int n = static_cast<int>(2.0 * ball.radius / cell) + 2;
+  for (int i = -n; i <= n; ++i)
+    for (int j = -n; j <= n; ++j)
+      for (int k = -n; k <= n; ++k) {
+        if ((i + j + k) % 2 != 0) continue;
+        const Vec3 x = 0.5 * cell * Vec3(i, j, k);
+        add_grain(sums, ball, x, 0.5 * spacing, 12);
+        for (const Vec3& normal : normals) {
+          add_contact_end(sums, ball, x, -force * normal, 0.5 * spacing * normal);
+          add_contact(sums, ball, x + 0.5 * spacing * normal, normal, 0.0, force, false, 0.5);
+        }
+      }
+  const SphereMeasure m = measure(sums, ball);
+  EXPECT_NEAR(m.porosity, 1.0 - solid, 0.01);
+  EXPECT_EQ(m.coordination_number, 12.0);
+  const double stress = 2.0 * std::sqrt(2.0) * force / (spacing * spacing);
+  const Mat3 expected = stress * (1.0 - m.porosity) / solid * Mat3::Identity();
+  EXPECT_LT((m.stress - expected).norm(), 1e-12 * stress);
+  EXPECT_NEAR(m.mean_force, force, 1e-12);
+}
+
+// Balls so large that their surfaces are planes here: one holds what is left of x = 40 mm, the
+// other what is right of it, a third all.
+TEST(MeasuringSphere, SumsOverTheTwoHalvesOfAPackingAreThoseOverTheWhole)
+{
+  const double far = 1e4;
+  const Vec3 middle(0.04, 0.04, 0.04), along = far * Vec3::UnitX();
+  const MeasuringSphere left{middle - along, far}, right{middle + along, far}, all{middle, far};
+  SphereSums halves, whole;
+  for (const Ball& ball : packing_without_overlap(3)) {
+    const Vec3 normal = (ball.center - Vec3(0.01, 0.02, 0.03)).normalized();
+    const Vec3 pull = force * (normal + 0.1 * Vec3::UnitZ());
+    for (auto [sums, spheres] :
+         {std::pair(&halves, std::vector{left, right}), std::pair(&whole, std::vector{all})})
+      for (const MeasuringSphere& sphere : spheres) {
+        add_grain(*sums, sphere, ball.center, ball.radius, 1);
+        add_contact_end(*sums, sphere, ball.center, -pull, ball.radius * normal);
+        add_contact(*sums, sphere, ball.center + ball.radius * normal, normal, 1e-9, force, true,
+                    1.0);
+      }
+  }
+  EXPECT_GT(whole.grains, 100.0);
+  EXPECT_EQ(halves.grains, whole.grains);
+  EXPECT_EQ(halves.ends, whole.ends);
+  EXPECT_EQ(halves.contacts, whole.contacts);
+  EXPECT_EQ(halves.with_one_contact, whole.with_one_contact);
+  for (double SphereSums::*sum : {&SphereSums::solid, &SphereSums::shared, &SphereSums::radial,
+                                  &SphereSums::hoop, &SphereSums::force, &SphereSums::grain_volume})
+    EXPECT_NEAR(halves.*sum, whole.*sum, 1e-5 * std::abs(whole.*sum));
+  for (int n = 0; n < 9; ++n) {
+    EXPECT_NEAR(halves.stress[n], whole.stress[n], 1e-9 * std::abs(whole.stress[8]));
+    EXPECT_NEAR(halves.fabric[n], whole.fabric[n], 1e-9 * whole.contacts);
+  }
+}
+
 // A grain on the x axis pressed along x only, then along y: radial there, then hoop.
 TEST(MeasuringSphere, RadialAndHoopAreAboutTheAxis)
 {

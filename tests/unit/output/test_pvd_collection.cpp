@@ -58,3 +58,22 @@ TEST(PvdCollection, WritesNamesThatXmlWouldMistake)
   series.add(0.0, "sand & <gravel>.vtp");
   EXPECT_NE(series.text().find("\"sand &amp; &lt;gravel>.vtp\""), std::string::npos);
 }
+
+// Parts of one time stand together, each a block of its own by number and name.
+TEST(PartsTogether, AreListedByTimeInTheirOrder)
+{
+  const std::vector<PvdEntry> together =
+      parts_together({{"grains", "g", {{0.0, "g_0.vtp"}, {0.2, "g_2.vtp"}}},
+                      {"sleeve", "s", {{0.0, "s_0.vtp"}, {0.1, "s_1.vtp"}, {0.2, "s_2.vtp"}}}});
+  EXPECT_EQ(pvd_text(together),
+            "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+            "  <Collection>\n"
+            "    <DataSet timestep=\"0\" part=\"0\" name=\"grains\" file=\"g/g_0.vtp\"/>\n"
+            "    <DataSet timestep=\"0\" part=\"1\" name=\"sleeve\" file=\"s/s_0.vtp\"/>\n"
+            "    <DataSet timestep=\"0.1\" part=\"1\" name=\"sleeve\" file=\"s/s_1.vtp\"/>\n"
+            "    <DataSet timestep=\"0.2\" part=\"0\" name=\"grains\" file=\"g/g_2.vtp\"/>\n"
+            "    <DataSet timestep=\"0.2\" part=\"1\" name=\"sleeve\" file=\"s/s_2.vtp\"/>\n"
+            "  </Collection>\n"
+            "</VTKFile>\n");
+}

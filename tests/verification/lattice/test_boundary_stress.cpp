@@ -33,6 +33,14 @@ fix_modify     top servo 80e3 ramp 1000
 fix_modify     bottom servo 80e3 ramp 1000
 fix            history all specimen/history platens top bottom side side motion move every 200
 solve          ratio average 1e-6 least 4000
+fix            ball all measure/sphere sphere 0 0 0.025 0.06
+run            0
+variable       ball_axial equal f_ball[1][12]
+variable       ball_around equal 0.5*(f_ball[1][13]+f_ball[1][14])
+variable       ball_grains equal f_ball[1][7]
+print          "ball_axial ${ball_axial}"
+print          "ball_around ${ball_around}"
+print          "ball_grains ${ball_grains}"
 variable       high equal f_top[3]
 variable       low equal f_bottom[3]
 variable       radius equal f_side[3]
@@ -109,6 +117,27 @@ TEST(BoundaryStress, IsThatOfTheContactsInside)
   EXPECT_NEAR(stress(2, 2), axial, 1e-4 * axial);
   EXPECT_NEAR(0.5 * (stress(0, 0) + stress(1, 1)), confining, 1e-4 * confining);
   EXPECT_NEAR((stress - stress.transpose()).norm(), 0.0, 1e-4 * axial) << "moments balance too";
+}
+
+// A measuring sphere that cuts all walls and holds every grain: its stress times its volume is the
+// sum over the walls of force times place, where a contact lies half an overlap behind the wall;
+// that moves it by 0.2 % from the walls' stress times the specimen's volume.
+TEST(BoundaryStress, IsThatOfAMeasuringSphereAroundTheSpecimen)
+{
+  double along = 0.0, around = 0.0;  // N m
+  for_each_wall_contact([&](const WallContact& c, const Vec3& outward) {
+    const double wall = outward.z() > 0.0   ? found().high
+                        : outward.z() < 0.0 ? -found().low
+                                            : found().radius;
+    const double moment = c.force * (wall + 0.5 * c.overlap);
+    (outward.z() == 0.0 ? around : along) += moment;
+  });
+  const double ball = sphere_volume(0.06);
+  EXPECT_EQ(found().outcome.value("ball_grains"), static_cast<double>(found().grains.size()));
+  EXPECT_NEAR(found().outcome.value("ball_axial") * ball, along, 1e-4 * along);
+  EXPECT_NEAR(found().outcome.value("ball_around") * ball, 0.5 * around, 1e-4 * around);
+  EXPECT_NEAR(along, axial * found().volume(), 4e-3 * along);
+  EXPECT_NEAR(0.5 * around, confining * found().volume(), 4e-3 * around);
 }
 
 TEST(CoordinationNumber, CountsEveryContactOfGrainsAndWalls)

@@ -146,6 +146,38 @@ TEST_F(SimpleCubic, CarriesTheSamePressureAtItsWallsAndByLoveWeber)
   EXPECT_NEAR(pressure, force / (4.0 * radius * radius), 3e-3 * pressure);
 }
 
+// Balls in the middle, across one wall and across an edge of three: every grain bears F / d^2 times
+// the volume d^3 of its cube, at walls as elsewhere, so that of the pressure a ball finds the part
+// that its solid has of a full lattice's. The contact with a wall lies overlap / 4 further out, in
+// the middle of an overlap half as large.
+TEST_F(SimpleCubic, HasThatPressureInBallsThatCutItsWalls)
+{
+  const double pressure = force / (distance * distance), ball = 0.025;
+  const double solid = sphere_volume(radius) / std::pow(distance, 3);
+  for (const Vec3& center :
+       {Vec3(0.0, 0.0, 0.04), Vec3(0.035, 0.002, 0.04), Vec3(0.03, -0.032, 0.01)}) {
+    const TemporaryFolder folder;
+    std::string lines = "fix ball all measure/sphere sphere " + digits(center.x()) + " " +
+                        digits(center.y()) + " " + digits(center.z()) + " " + digits(ball) +
+                        "\nrun 0\n";
+    for (const auto& [name, column] :
+         {std::pair("empty", 8), std::pair("xx", 15), std::pair("yy", 16), std::pair("zz", 17),
+          std::pair("xy", 18), std::pair("ends", 10)})
+      lines += std::string("variable ") + name + " equal f_ball[1][" + std::to_string(column) +
+               "]\nprint \"" + name + " ${" + name + "}\"\n";
+    const Outcome outcome =
+        run_deck(opening_deck("empty_cylinder") + block() + lines, 1, folder.path());
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_EQ(outcome.value("ends"), 6.0) << "walls are contacts";
+    const double expected = pressure * (1.0 - outcome.value("empty")) / solid;
+    EXPECT_LT(expected, 1.2 * pressure);
+    const double tolerance = center.x() == 0.0 ? 1e-9 : overlap / (4.0 * radius);
+    for (const char* name : {"xx", "yy", "zz"})
+      EXPECT_NEAR(outcome.value(name), expected, tolerance * pressure) << name;
+    EXPECT_NEAR(outcome.value("xy"), 0.0, 1e-9 * pressure);
+  }
+}
+
 // C11 = k_n / (2 r): columns of springs side by side, held at their sides without friction.
 TEST_F(SimpleCubic, HasTheAxialModulusOfItsSprings)
 {

@@ -59,23 +59,62 @@ TEST(MeasureSphere, AroundAWholeSpecimenFindsTheStressOfItsPlatens)
   EXPECT_NEAR(table.column("porosity [-]").back(), 1.0 - solid / volume, 1e-12);
 }
 
-TEST(MeasureSphere, StackFollowsThePlatensAndIsTheSameOnTwoRanks)
+TEST(MeasureSphere, StackFollowsThePlatensAndIsTheSameOnTwoAndFourRanks)
 {
   const std::string stack =
       "fix balls all measure/sphere stack 3 0.02 platens top bottom every 400 folder spheres\n";
-  double one = 0.0, two = 0.0;
-  const CsvTable table = measured(stack, 1, &one), again = measured(stack, 2, &two);
+  double force = 0.0;
+  const CsvTable table = measured(stack, 1, &force);
   ASSERT_EQ(table.rows(), 18u);  // three spheres, before the first step and after 400 to 2000
   const std::vector<double>& z = table.column("z [m]");
   EXPECT_NEAR(z[15], 0.02, 1e-12);
   EXPECT_NEAR(z[16], 0.5 * (0.08 - 2e-4), 1e-9);
   EXPECT_NEAR(z[17], 0.08 - 2e-4 - 0.02, 1e-9);
-  for (const char* name : {"porosity [-]", "coordination_number [-]", "axial_stress [Pa]",
-                           "mean_contact_force [N]", "largest_contact_force [N]"})
-    for (std::size_t n = 0; n < table.rows(); ++n)
-      EXPECT_NEAR(table.column(name)[n], again.column(name)[n],
-                  1e-9 * std::abs(table.column(name)[n]))
-          << name << " in row " << n;
+  for (const int ranks : {2, 4}) {
+    const CsvTable again = measured(stack, ranks, &force);
+    for (const char* name : {"porosity [-]", "coordination_number [-]", "axial_stress [Pa]",
+                             "mean_contact_force [N]", "largest_contact_force [N]"})
+      for (std::size_t n = 0; n < table.rows(); ++n)
+        EXPECT_NEAR(table.column(name)[n], again.column(name)[n],
+                    1e-9 * std::abs(table.column(name)[n]))
+            << name << " in row " << n << " on " << ranks << " ranks";
+  }
+}
+
+// Five grains in a row across a sleeve, 0.2 mm too long for it: pressed by the sleeve at both ends
+// and kept from giving way sideways.
+// At rest all contacts bear the same F, found again from where the grains are, and V sigma is F
+// times the way between the contacts at the ends.
+TEST(MeasureSphere, AroundARowAcrossASleeveFindsWhatTheSleeveBears)
+{
+  std::string grains;
+  for (int n = -2; n <= 2; ++n)
+    grains += "create_atoms 1 single " + std::to_string(0.02 * n) + " 0 0.05 units box\n";
+  const Outcome outcome = run_deck(
+      opening_deck("empty_cylinder") + grains +
+      "set group all diameter 0.02 density 2500\n"
+      "fix side all mesh/surface/shell cylinder 0.0499 0 0.2 edge 0.01 type 2 platens top bottom "
+      "modulus 11.5e6 poisson 0.3 thickness 0.01 density 30 rigid yes\n"
+      "fix top all servo/platen position top z 0.2 side side type 2\n"
+      "fix bottom all servo/platen position bottom z 0 side side type 2\n"
+      "fix line all setforce NULL 0 0\n"
+      "fix move all motion step 1.0\n"
+      "fix ball all measure/sphere sphere 0 0 0.05 0.08 every 1000\nrun 4000\n"
+      "variable gap equal x[4]-x[3]\nvariable first equal x[1]\nvariable last equal x[5]\n"
+      "variable xx equal f_ball[1][15]\nvariable radial equal f_ball[1][13]\n"
+      "variable hoop equal f_ball[1][14]\nvariable ends equal f_ball[1][10]\n"
+      "print \"gap ${gap}\"\nprint \"first ${first}\"\nprint \"last ${last}\"\n"
+      "print \"xx ${xx}\"\nprint \"radial ${radial}\"\nprint \"hoop ${hoop}\"\n"
+      "print \"ends ${ends}\"\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const double force = 0.5 * pi * 0.01 * 7e6 * (0.02 - outcome.value("gap"));
+  const double length = outcome.value("last") - outcome.value("first") + 0.02;
+  const double volume = 4.0 / 3.0 * pi * std::pow(0.08, 3);
+  EXPECT_GT(force, 2.0);
+  EXPECT_EQ(outcome.value("ends"), 2.0);
+  EXPECT_NEAR(outcome.value("xx") * volume, force * length, 2e-3 * force * length);
+  EXPECT_NEAR(outcome.value("radial"), outcome.value("xx"), 1e-6 * outcome.value("xx"));
+  EXPECT_NEAR(outcome.value("hoop"), 0.0, 1e-6 * outcome.value("xx"));
 }
 
 TEST(MeasureSphere, WarnsOnceOfASphereWithFewGrains)

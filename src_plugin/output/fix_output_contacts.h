@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/keyword_table.h"
+#include "host/contact_probe.h"
+#include "host/run_clock.h"
+#include "measure/contact_force.h"
+#include "output/csv_series.h"
+#include "output/vtk_contacts_writer.h"
+#include "output/vtk_series.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// `fix output/contacts`: contacts as lines that ParaView opens, and what their forces are on the
+/// whole as rows of a CSV file.
+class FixOutputContacts : public LAMMPS_NS::Fix, public ContactProbe, public SeriesOwner {
+ public:
+  static const KeywordTable keywords;
+
+  FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void setup_pre_force(int) override;
+  void setup(int) override;
+  void pre_force(int) override;
+  void end_of_step() override;
+  double compute_vector(int n) override { return row_[n]; }
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+
+  bool wants_contacts(LAMMPS_NS::bigint step) const override;
+  void add_contact(const Contact& contact) override;
+  const VtkSeries* series() const override { return series_.get(); }
+
+ private:
+  void read_levels(const Options& options);
+  bool is_seen_elsewhere(const Contact& contact) const;
+  bool wants_frame() const;
+  void clear_contacts();
+  void write_row();
+  void write_frame();
+  void stop(const std::string& path) const;
+
+  long frame_every_ = 0, row_every_ = 0;
+  double threshold_ = 0.0;  ///< of the VTK files [N]
+  bool first_forces_ = false, written_ = false;
+  std::vector<ContactRecord> contacts_;  ///< of this rank, for a VTK file
+  ContactForces forces_;                 ///< of this rank, then of all
+  std::vector<double> row_;
+
+  RunClock clock_;
+  CsvSeries file_;
+  std::unique_ptr<VtkSeries> series_;
+};
+
+}  // namespace encased_column

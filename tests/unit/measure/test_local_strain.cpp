@@ -1,0 +1,151 @@
+#include "measure/local_strain.h"
+
+#include "core/constants.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace encased_column;
+
+namespace {
+
+constexpr double range = 0.012;  // m, some thirty neighbours
+
+/// Grains of several sizes, thrown into a cube of 50 mm, moved by `displacement`.
+std::vector<MovedGrain> grains_moved(const std::function<Vec3(const Vec3&)>& displacement)
+{
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  std::vector<MovedGrain> grains;
+  for (int n = 0; n < 600; ++n) {
+    const Vec3 x = 0.05 * Vec3(part(random), part(random), part(random));
+    grains.push_back({x, displacement(x), 1e-9 * (1.0 + 100.0 * part(random))});
+  }
+  return grains;
+}
+
+std::vector<double> strains_of(const Mat3& f)
+{
+  const Vec3 shift(0.3, -0.2, 0.1);
+  return local_deviatoric_strain(
+      grains_moved([&](const Vec3& x) -> Vec3 { return f * x - x + shift; }), range);
+}
+
+void expect_everywhere(const std::vector<double>& strains, double expected, double tolerance)
+{
+  ASSERT_EQ(strains.size(), 600u);
+  for (const double strain : strains) EXPECT_NEAR(strain, expected, tolerance);
+}
+
+Mat3 simple_shear(double gamma)
+{
+  Mat3 f = Mat3::Identity();
+  f(0, 2) = gamma;
+  return f;
+}
+
+Mat3 turned_by(double angle)
+{
+  return Eigen::AngleAxisd(angle, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+}
+
+}  // namespace
+
+// A cylinder shortened by e at constant volume: deviatoric strain e as long as e is small, 2/3 of
+// the difference of axial and radial strain at any size.
+TEST(LocalStrain, OfCompressionIsTwoThirdsOfTheDifferenceOfStrains)
+{
+  for (const double axial : {1e-6, 0.05, 0.20}) {
+    const double radial = 1.0 / std::sqrt(1.0 - axial) - 1.0;
+    const Mat3 f = Vec3(1.0 + radial, 1.0 + radial, 1.0 - axial).asDiagonal();
+    expect_everywhere(strains_of(f), 2.0 / 3.0 * (axial + radial), 1e-10);
+  }
+  EXPECT_NEAR(2.0 / 3.0 * (1e-6 + 1.0 / std::sqrt(1.0 - 1e-6) - 1.0), 1e-6, 1e-11);
+}
+
+TEST(LocalStrain, OfCompressionFromAllSidesIsZero)
+{
+  expect_everywhere(strains_of(0.9 * Mat3::Identity()), 0.0, 1e-10);
+}
+
+// Small: gamma / sqrt(3). Any size: principal stretches sqrt(1 + gamma^2 / 4) +- gamma / 2 and 1.
+TEST(LocalStrain, OfSimpleShearIsItsClosedForm)
+{
+  expect_everywhere(strains_of(simple_shear(1e-6)), 1e-6 / std::sqrt(3.0), 1e-11);
+  const double gamma = 0.8, mean = std::sqrt(1.0 + 0.25 * gamma * gamma);
+  const double stretch[3] = {mean + 0.5 * gamma, mean - 0.5 * gamma, 1.0};
+  const double center = (2.0 * mean + 1.0) / 3.0;
+  double squares = 0.0;
+  for (const double s : stretch) squares += (s - center) * (s - center);
+  expect_everywhere(strains_of(simple_shear(gamma)), std::sqrt(2.0 / 3.0 * squares), 1e-10);
+}
+
+// The symmetric part of the displacement gradient would see 2/3 (1 - cos) of it.
+TEST(LocalStrain, DoesNotSeeARotation)
+{
+  for (const double angle : {0.01, 0.7, 3.0}) {
+    expect_everywhere(strains_of(turned_by(angle)), 0.0, 1e-9);
+    expect_everywhere(strains_of(turned_by(angle) * simple_shear(0.3)),
+                      strains_of(simple_shear(0.3)).front(), 1e-9);
+  }
+}
+
+// Two blocks that slide on one another: the band is as wide as the range on either side.
+TEST(LocalStrain, IsThereOnlyNearTheSurfaceOnWhichBlocksSlide)
+{
+  const std::vector<MovedGrain> grains =
+      grains_moved([](const Vec3& x) { return Vec3(x.z() > 0.025 ? 0.004 : 0.0, 0.0, 0.0); });
+  const std::vector<double> strain = local_deviatoric_strain(grains, range);
+  for (std::size_t n = 0; n < grains.size(); ++n) {
+    const double away = std::abs(grains[n].position.z() - 0.025);
+    if (away > range) {
+      EXPECT_NEAR(strain[n], 0.0, 1e-10);
+    } else if (away < 0.2 * range) {
+      EXPECT_GT(strain[n], 0.1);
+    }
+  }
+}
+
+TEST(LocalStrain, LetsRattlingFinesCountByTheirVolume)
+{
+  std::vector<MovedGrain> grains =
+      grains_moved([](const Vec3& x) -> Vec3 { return simple_shear(0.3) * x - x; });
+  const std::vector<double> before = local_deviatoric_strain(grains, range);
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  for (std::size_t n = 0; n < grains.size(); n += 3) {
+    grains[n].volume = 1e-16;
+    grains[n].displacement += 0.005 * Vec3(part(random), part(random), part(random));
+  }
+  const std::vector<double> after = local_deviatoric_strain(grains, range);
+  int inside = 0;
+  for (std::size_t n = 0; n < grains.size(); ++n) {
+    const Vec3& x = grains[n].position;
+    if (x.minCoeff() < 0.5 * range || x.maxCoeff() > 0.05 - 0.5 * range) continue;
+    ++inside;
+    EXPECT_NEAR(after[n], before[n], 1e-4);
+  }
+  EXPECT_GT(inside, 100);
+}
+
+TEST(LocalStrain, IsUnknownWhereNeighboursSpanNoVolume)
+{
+  std::vector<MovedGrain> plane;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) plane.push_back({0.004 * Vec3(i, j, 0.0), Vec3::Zero(), 1e-9});
+  for (const double strain : local_deviatoric_strain(plane, range))
+    EXPECT_EQ(strain, strain_unknown);
+  plane.resize(1);
+  EXPECT_EQ(local_deviatoric_strain(plane, range).front(), strain_unknown);
+  EXPECT_TRUE(local_deviatoric_strain({}, range).empty());
+}
+
+TEST(MeanDiameter, ByVolumeIsThatOfTheGrainAMeanBitOfSolidLiesIn)
+{
+  // 8 grains of 1 mm and one of 2 mm share the volume evenly
+  EXPECT_DOUBLE_EQ(mean_diameter_by_volume({1, 1, 1, 1, 1, 1, 1, 1, 2}), 1.5);
+  EXPECT_EQ(mean_diameter_by_volume({}), 0.0);
+}
