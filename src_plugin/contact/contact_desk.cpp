@@ -60,7 +60,7 @@ void ContactDesk::tell_probes(int i, int j, double share, const Touch& touch,
                         action.stored,
                         share,
                         action.sliding,
-                        j < 0 ? walls_ : ContactKind::grain};
+                        kind_of(j)};
   for (ContactProbe* probe : active_) probe->add_contact(contact);
 }
 
@@ -68,9 +68,18 @@ void ContactDesk::tell_probes(const ContactRow& row)
 {
   for (int n = 0; n < row.count(); ++n) {
     const ContactStiffness k = row.stiffness(n);
-    const Contact contact{
-        row.i(n), row.j(n), row.normal(n),        row.force(n), row.arm_i(n),     row.distance(n),
-        k.normal, k.shear,  row.stored_energy(n), row.share(n), row.is_sliding(n)};
+    const Contact contact{row.i(n),
+                          row.j(n),
+                          row.normal(n),
+                          row.force(n),
+                          row.arm_i(n),
+                          row.distance(n),
+                          k.normal,
+                          k.shear,
+                          row.stored_energy(n),
+                          row.share(n),
+                          row.is_sliding(n),
+                          kind_of(row.j(n))};
     for (ContactProbe* probe : active_) probe->add_contact(contact);
   }
 }

@@ -71,6 +71,7 @@ class ContactDesk {
   }
 
  private:
+  ContactKind kind_of(int j) const { return j < 0 ? walls_ : ContactKind::grain; }
   void ask_probes_anew();
   void tell_probes(int i, int j, double share, const Touch& touch, const ContactAction& action);
   void tell_probes(const ContactRow& row);
