@@ -72,8 +72,9 @@ TEST(MeasureSphere, StackFollowsThePlatensAndIsTheSameOnTwoAndFourRanks)
   EXPECT_NEAR(z[17], 0.08 - 2e-4 - 0.02, 1e-9);
   for (const int ranks : {2, 4}) {
     const CsvTable again = measured(stack, ranks, &force);
-    for (const char* name : {"porosity [-]", "coordination_number [-]", "axial_stress [Pa]",
-                             "mean_contact_force [N]", "largest_contact_force [N]"})
+    for (const char* name :
+         {"grains [-]", "porosity [-]", "porosity_less_overlap [-]", "coordination_number [-]",
+          "axial_stress [Pa]", "mean_contact_force [N]", "largest_contact_force [N]"})
       for (std::size_t n = 0; n < table.rows(); ++n)
         EXPECT_NEAR(table.column(name)[n], again.column(name)[n],
                     1e-9 * std::abs(table.column(name)[n]))
