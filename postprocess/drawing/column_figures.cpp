@@ -9,7 +9,6 @@ namespace encased_column {
 
 namespace {
 
-const Axis height_axis{"height of the sphere [mm]", false, 0.0, {}};
 const Axis strain_axis{axial_strain_title, false, 0.0, {}};
 constexpr double sample_tolerance = 0.01;  // of axial strain: how far a sample may be off
 
@@ -23,7 +22,8 @@ std::string sphere_name(const TestResult& test, std::size_t sphere)
 Panel along_height(const TestResult& test, const std::string& title, const std::string& axis,
                    double SphereSample::*quantity, double factor)
 {
-  Panel panel{title, {axis}, height_axis, {}};
+  const Axis height{"height of the sphere [mm]", false, 0.0, 1e3 * initial_height(test)};
+  Panel panel{title, {axis}, height, {}};
   const std::vector<double> strains = over_time(test.spheres.front(), &SphereSample::axial_strain);
   std::size_t color = 0;
   for (const std::size_t i :

@@ -111,8 +111,10 @@ void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& l
   axis->SetBehavior(vtkAxis::FIXED);
   if (given.logarithmic)
     axis->SetUnscaledRange(std::pow(10.0, limits[0]), std::pow(10.0, limits[1]));
-  else
-    axis->SetRange(limits[0], limits[1]);
+  else {
+    const double margin = 1e-9 * (limits[1] - limits[0]);  // lest rounding lose the last label
+    axis->SetRange(limits[0] - margin, limits[1] + margin);
+  }
   axis->AutoScale();
 }
 
@@ -144,12 +146,21 @@ void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place, 
   if (look.complete) add_legend(chart);
 }
 
+/// An empty view of that size, the same one each time: a new window costs more than a chart, as its
+/// shaders are compiled anew.
+vtkContextView* empty_view(int view_width, int view_height)
+{
+  static vtkNew<vtkContextView> view;
+  view->GetScene()->ClearItems();
+  prepare_window(view->GetRenderWindow(), view_width, view_height);
+  return view;
+}
+
 void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& panels)
 {
   const int each = panels.size() == 1 ? height_alone : height_stacked;
   const int height = each * static_cast<int>(panels.size());
-  vtkNew<vtkContextView> view;
-  prepare_window(view->GetRenderWindow(), width, height);
+  vtkContextView* view = empty_view(width, height);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const auto bottom = static_cast<float>(height - each * (i + 1));
     add_panel(view, panels[i], vtkRectf(10.0F, bottom, width - 20.0F, each - 15.0F), of_a_file);
@@ -175,8 +186,7 @@ void draw_figures(const std::filesystem::path& folder, const std::vector<Figure>
 
 std::string chart_svg(const Panel& panel)
 {
-  vtkNew<vtkContextView> view;
-  prepare_window(view->GetRenderWindow(), chart_width, chart_height);
+  vtkContextView* view = empty_view(chart_width, chart_height);
   add_panel(view, panel, vtkRectf(5.0F, 5.0F, chart_width - 20.0F, chart_height - 15.0F),
             of_a_page);
   return svg_elements(view->GetRenderWindow());

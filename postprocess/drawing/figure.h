@@ -54,8 +54,9 @@ struct Figure {
 /// 1200 px wide. Needs a display. Throws InputError if a file cannot be written.
 void draw_figures(const std::filesystem::path& folder, const std::vector<Figure>& figures);
 
-/// The size of chart_svg() in its own units.
-constexpr int chart_width = 600, chart_height = 400;
+/// The size of chart_svg() in its own units; nothing is drawn above chart_top, where a title would
+/// stand.
+constexpr int chart_width = 600, chart_height = 420, chart_top = 22;
 
 /// The drawing of `panel` as elements for an SVG of chart_width and chart_height: axes and curves
 /// in letters large enough for a telephone; title and legend are left to the page around it. Needs

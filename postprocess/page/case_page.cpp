@@ -169,7 +169,7 @@ std::string case_page(const TestResult& test, const Targets& targets,
   run_figures.insert(run_figures.begin(), check_figure(sets));
   set_figures("run_figures", run_figures);
   page.set("has_pictures", found.empty() ? PageData::type::bool_false : PageData::type::bool_true);
-  page.set("pictures", pictures_data(found));
+  page.set("picture_list", pictures_data(found));
   set_table(page, "counterparts", "Figures of the study and their counterparts on this page",
             counterpart_rows(test, all, found.size()));
   return filled(page_templates::case_page, page);

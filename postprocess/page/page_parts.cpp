@@ -34,6 +34,7 @@ PageData cell(const std::string& word, bool numeric)
 {
   PageData data{"text", word == "-" ? "–" : word};
   if (numeric) data.set("kind", "number");
+  if (word.size() > 25) data.set("kind", "long");
   if (word == "pass") data.set("kind", "good");
   if (word == "FAIL") data.set("kind", "bad");
   if (word == "not required") data.set("kind", "info");
@@ -82,7 +83,8 @@ PageData panel_data(const Panel& panel)
 {
   PageData data{"panel_title", panel.title};
   data.set("width", std::to_string(chart_width));
-  data.set("height", std::to_string(chart_height));
+  data.set("top", std::to_string(chart_top));
+  data.set("height", std::to_string(chart_height - chart_top));
   data.set("alternative", panel.title + ": " + panel.y.title + " over " + panel.x.title);
   data.set("drawing", chart_svg(panel));
   PageData keys{PageData::type::list};
@@ -146,6 +148,8 @@ PageData figures_data(const std::vector<Figure>& figures)
     PageData panels{PageData::type::list};
     for (const Panel& panel : figure.panels) panels << panel_data(panel);
     data.set("panels", panels);
+    data.set("wide",
+             figure.panels.size() > 1 ? PageData::type::bool_true : PageData::type::bool_false);
     list << data;
   }
   return list;

@@ -79,7 +79,8 @@ void set_results(PageData& page, const std::vector<SetResult>& sets, const Targe
         "results_" + set.set,
         kind(set) + " triaxial tests, q from the " + platen_name(set.tests.front().platen),
         without(rows, "unit"), "quantity");
-    for (const std::string& note : result_notes(set)) notes << PageData{"sentence", note};
+    for (const std::string& note : result_notes(set))
+      notes << PageData{"sentence", kind(set) + ": " + note};
   }
   page.set("results", tables);
   page.set("notes", notes);
@@ -107,7 +108,7 @@ std::string series_page(const std::vector<SetResult>& sets, const Targets& targe
   std::size_t tests = 0;
   std::vector<Picture> pictures;
   for (const SetResult& set : sets) {
-    kinds += (kinds.empty() ? "" : " and ") + kind(set);
+    kinds += kinds.empty() ? kind(set) : " and encased";  // plain tests come first
     tests += set.tests.size();
     for (const TestResult& test : set.tests)
       for (Picture& picture : pictures_of(*test.run, folder / "figures", picture_width))
@@ -123,7 +124,7 @@ std::string series_page(const std::vector<SetResult>& sets, const Targets& targe
   page.set("figures", figures_data(series_figures(sets, targets)));
   page.set("has_pictures",
            pictures.empty() ? PageData::type::bool_false : PageData::type::bool_true);
-  page.set("pictures", pictures_data(pictures));
+  page.set("picture_list", pictures_data(pictures));
   const CheckCount count = count_checks(sets);
   page.set("check_sentence", count.sentence());
   page.set("failed", count.failed ? PageData::type::bool_true : PageData::type::bool_false);
