@@ -1,10 +1,14 @@
 #include "core/input_error.h"
+#include "drawing/column_figures.h"
 #include "drawing/display.h"
+#include "drawing/load_figures.h"
 #include "drawing/run_figures.h"
 #include "drawing/sleeve_figures.h"
 #include "drawing/sleeve_picture.h"
 #include "drawing/specimen_picture.h"
 #include "drawing/triaxial_figures.h"
+#include "page/case_page.h"
+#include "page/series_page.h"
 #include "reading/grain_file.h"
 #include "report/check_table.h"
 #include "report/result_table.h"
@@ -73,9 +77,12 @@ void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
 {
   const fs::path folder = settings.output / "figures";
   create_folder(folder);
-  draw_triaxial_figures(folder, sets, targets);
-  draw_run_figures(folder, sets);
-  draw_sleeve_figures(folder, sets, targets);
+  draw_figures(folder, triaxial_figures(sets, targets));
+  draw_figures(folder, load_figures(sets, targets));
+  draw_figures(folder, {check_figure(sets)});
+  draw_figures(folder, energy_figures(sets));
+  draw_figures(folder, sleeve_figures(sets, targets));
+  draw_figures(folder, column_figures(sets));
   for (const SetResult& set : sets)
     for (const TestResult& test : set.tests) {
       const CaseRun& run = *test.run;
@@ -93,6 +100,22 @@ void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
   std::cout << "\nPictures: " << folder.string() << '\n';
 }
 
+/// One page beside the results of all, one in each case folder.
+void write_reports(const Settings& settings, const std::vector<SetResult>& sets,
+                   const Targets& targets, const std::vector<std::string>& left_out)
+{
+  const fs::path report = settings.output / "report.html";
+  write_text(report, series_page(sets, targets, settings.output, left_out));
+  for (const SetResult& set : sets)
+    for (const TestResult& test : set.tests) try {
+        write_text(test.run->folder / "report.html",
+                   case_page(test, targets, settings.output / "figures"));
+      } catch (const InputError& problem) {  // of a run in a folder for reading only
+        std::cerr << "note: no report of '" << test.run->id << "': " << problem.what() << '\n';
+      }
+  std::cout << "Report:   " << report.string() << ", and one in the folder of each case\n";
+}
+
 void run(const Settings& settings, std::vector<std::string> arguments)
 {
   const CaseRuns found = read_case_runs(settings.folders);
@@ -106,6 +129,7 @@ void run(const Settings& settings, std::vector<std::string> arguments)
   arguments.emplace_back("--pictures-only");
   provide_display(arguments);
   draw_pictures(settings, sets, targets);
+  write_reports(settings, sets, targets, found.left_out);
 }
 
 }  // namespace

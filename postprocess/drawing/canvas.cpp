@@ -10,6 +10,8 @@
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <unistd.h>
+
 #include <array>
 #include <fstream>
 #include <iterator>
@@ -35,19 +37,25 @@ void remove_old(const std::filesystem::path& file)
   std::filesystem::remove(file, ignored);
 }
 
+void replace_all(std::string& text, const std::string& old, const std::string& by)
+{
+  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
+    text.replace(at, old.size(), by);
+}
+
+std::string text_of(const std::filesystem::path& file)
+{
+  std::ifstream reading(file);
+  return {std::istreambuf_iterator<char>(reading), {}};
+}
+
 /// GL2PS puts titles, which stand on their lower edge, on their baseline instead, so that the tails
 /// of letters reach into what lies below; and names one font, which the layout is not made for.
 void mend_text(const std::filesystem::path& svg)
 {
-  std::ifstream reading(svg);
-  std::string text{std::istreambuf_iterator<char>(reading), {}};
-  reading.close();
-  const auto replace_all = [&text](const std::string& old, const std::string& by) {
-    for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
-      text.replace(at, old.size(), by);
-  };
-  replace_all("\"middle\" dy=\"0\"", "\"middle\" dy=\"-0.22em\"");
-  replace_all("\"Helvetica\"", "\"DejaVu Sans, Verdana, Helvetica, Arial, sans-serif\"");
+  std::string text = text_of(svg);
+  replace_all(text, "\"middle\" dy=\"0\"", "\"middle\" dy=\"-0.22em\"");
+  replace_all(text, "\"Helvetica\"", "\"DejaVu Sans, Verdana, Helvetica, Arial, sans-serif\"");
   std::ofstream(svg) << text;
 }
 
@@ -119,6 +127,23 @@ void write_svg(const std::filesystem::path& file, vtkRenderWindow* window)
   exporter->Write();
   check_written(svg);
   mend_text(svg);
+}
+
+std::string svg_elements(vtkRenderWindow* window)
+{
+  // The exporter knows files only.
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("encase_chart_" + std::to_string(getpid()));
+  write_svg(file, window);
+  const std::filesystem::path svg = file.string() + ".svg";
+  std::string text = text_of(svg);
+  std::filesystem::remove(svg);
+  text.erase(0, text.find("<g>"));
+  text.erase(text.rfind("</svg>"));
+  for (const char* usual : {" stroke-dasharray=\"16,0\"", " stroke-linecap=\"butt\"",
+                            " stroke-linejoin=\"miter\"", " font-weight=\"normal\""})
+    replace_all(text, usual, "");
+  return text;
 }
 
 }  // namespace encased_column

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 class vtkRenderWindow;
 class vtkTextProperty;
@@ -19,5 +20,9 @@ void set_font(vtkTextProperty* text, int size);
 /// Throws InputError if the file cannot be written.
 void write_png(const std::filesystem::path& file, vtkRenderWindow* window, int finer = 1);
 void write_svg(const std::filesystem::path& file, vtkRenderWindow* window);
+
+/// What write_svg() would write, without the element svg around it and what says no more than the
+/// defaults of SVG.
+std::string svg_elements(vtkRenderWindow* window);
 
 }  // namespace encased_column

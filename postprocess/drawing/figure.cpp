@@ -27,6 +27,13 @@ constexpr int width = 1200;
 constexpr int height_alone = 760;    // of the only panel of a figure
 constexpr int height_stacked = 440;  // of each of several
 
+/// How large letters are [px], and whether title and legend are drawn.
+struct Look {
+  int axis_title, axis_label;
+  bool complete;
+};
+constexpr Look of_a_file{24, 20, true}, of_a_page{18, 16, false};
+
 void add_series(vtkChartXY* chart, const Series& series, bool logarithmic)
 {
   vtkNew<vtkTable> table;
@@ -91,11 +98,12 @@ std::array<double, 2> range(const Axis& axis, const std::vector<Series>& all,
   return {step * std::floor(low / step + 1e-9), bounded ? high : rounded};
 }
 
-void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& limits)
+void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& limits,
+                const Look& look)
 {
   axis->SetTitle(given.title);
-  set_font(axis->GetTitleProperties(), 24);
-  set_font(axis->GetLabelProperties(), 20);
+  set_font(axis->GetTitleProperties(), look.axis_title);
+  set_font(axis->GetLabelProperties(), look.axis_label);
   axis->GetGridPen()->SetColor(225, 225, 225);
   axis->GetPen()->SetWidth(1.5F);
   axis->SetLogScale(given.logarithmic);
@@ -103,22 +111,15 @@ void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& l
   axis->SetBehavior(vtkAxis::FIXED);
   if (given.logarithmic)
     axis->SetUnscaledRange(std::pow(10.0, limits[0]), std::pow(10.0, limits[1]));
-  else
-    axis->SetRange(limits[0], limits[1]);
+  else {
+    const double margin = 1e-9 * (limits[1] - limits[0]);  // lest rounding lose the last label
+    axis->SetRange(limits[0] - margin, limits[1] + margin);
+  }
   axis->AutoScale();
 }
 
-void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place)
+void add_legend(vtkChartXY* chart)
 {
-  vtkNew<vtkChartXY> chart;
-  view->GetScene()->AddItem(chart);
-  chart->SetAutoSize(false);
-  chart->SetSize(place);
-  chart->SetTitle(panel.title);
-  set_font(chart->GetTitleProperties(), 20);
-  for (const Series& series : panel.series) add_series(chart, series, panel.y.logarithmic);
-  style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x, range(panel.x, panel.series, &Series::x));
-  style_axis(chart->GetAxis(vtkAxis::LEFT), panel.y, range(panel.y, panel.series, &Series::y));
   chart->SetShowLegend(true);
   vtkChartLegend* legend = chart->GetLegend();
   legend->SetInline(false);
@@ -127,6 +128,45 @@ void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place)
   set_font(legend->GetLabelProperties(), 20);
   legend->SetLabelSize(20);
   legend->SetSymbolWidth(45);
+}
+
+void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place, const Look& look)
+{
+  vtkNew<vtkChartXY> chart;
+  view->GetScene()->AddItem(chart);
+  chart->SetAutoSize(false);
+  chart->SetSize(place);
+  if (look.complete) chart->SetTitle(panel.title);
+  set_font(chart->GetTitleProperties(), 20);
+  for (const Series& series : panel.series) add_series(chart, series, panel.y.logarithmic);
+  style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x, range(panel.x, panel.series, &Series::x),
+             look);
+  style_axis(chart->GetAxis(vtkAxis::LEFT), panel.y, range(panel.y, panel.series, &Series::y),
+             look);
+  if (look.complete) add_legend(chart);
+}
+
+/// An empty view of that size, the same one each time: a new window costs more than a chart, as its
+/// shaders are compiled anew.
+vtkContextView* empty_view(int view_width, int view_height)
+{
+  static vtkNew<vtkContextView> view;
+  view->GetScene()->ClearItems();
+  prepare_window(view->GetRenderWindow(), view_width, view_height);
+  return view;
+}
+
+void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& panels)
+{
+  const int each = panels.size() == 1 ? height_alone : height_stacked;
+  const int height = each * static_cast<int>(panels.size());
+  vtkContextView* view = empty_view(width, height);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const auto bottom = static_cast<float>(height - each * (i + 1));
+    add_panel(view, panels[i], vtkRectf(10.0F, bottom, width - 20.0F, each - 15.0F), of_a_file);
+  }
+  write_png(file, view->GetRenderWindow());
+  write_svg(file, view->GetRenderWindow());
 }
 
 }  // namespace
@@ -139,18 +179,17 @@ Color palette(std::size_t i)
   return colors[i % colors.size()];
 }
 
-void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& panels)
+void draw_figures(const std::filesystem::path& folder, const std::vector<Figure>& figures)
 {
-  const int each = panels.size() == 1 ? height_alone : height_stacked;
-  const int height = each * static_cast<int>(panels.size());
-  vtkNew<vtkContextView> view;
-  prepare_window(view->GetRenderWindow(), width, height);
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    const auto bottom = static_cast<float>(height - each * (i + 1));
-    add_panel(view, panels[i], vtkRectf(10.0F, bottom, width - 20.0F, each - 15.0F));
-  }
-  write_png(file, view->GetRenderWindow());
-  write_svg(file, view->GetRenderWindow());
+  for (const Figure& figure : figures) draw_figure(folder / figure.name, figure.panels);
+}
+
+std::string chart_svg(const Panel& panel)
+{
+  vtkContextView* view = empty_view(chart_width, chart_height);
+  add_panel(view, panel, vtkRectf(5.0F, 5.0F, chart_width - 20.0F, chart_height - 15.0F),
+            of_a_page);
+  return svg_elements(view->GetRenderWindow());
 }
 
 }  // namespace encased_column

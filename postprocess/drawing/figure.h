@@ -42,8 +42,25 @@ struct Panel {
   std::vector<Series> series;
 };
 
-/// Draws `panels` one above the other into `file`.png and `file`.svg, 1200 px wide. Needs a
-/// display. Throws InputError if a file cannot be written.
-void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& panels);
+/// Charts that belong together.
+struct Figure {
+  std::string name;     ///< of its files
+  std::string title;    ///< what it shows
+  std::string caption;  ///< what a reader must know; may be empty
+  std::vector<Panel> panels;
+};
+
+/// Draws each figure into `folder`, its panels one above the other in one .png and one .svg file,
+/// 1200 px wide. Needs a display. Throws InputError if a file cannot be written.
+void draw_figures(const std::filesystem::path& folder, const std::vector<Figure>& figures);
+
+/// The size of chart_svg() in its own units; nothing is drawn above chart_top, where a title would
+/// stand.
+constexpr int chart_width = 600, chart_height = 420, chart_top = 22;
+
+/// The drawing of `panel` as elements for an SVG of chart_width and chart_height: axes and curves
+/// in letters large enough for a telephone; title and legend are left to the page around it. Needs
+/// a display.
+std::string chart_svg(const Panel& panel);
 
 }  // namespace encased_column

@@ -1,6 +1,5 @@
 #include "drawing/run_figures.h"
 
-#include "drawing/figure.h"
 #include "drawing/labels.h"
 
 #include <algorithm>
@@ -15,7 +14,37 @@ Series limit(const std::string& label, double end_of_strain, double value)
   return {label, {0.0, 100.0 * end_of_strain}, {value, value}, grey, Stroke::dash_dotted};
 }
 
-void draw_checks(const std::filesystem::path& folder, const std::vector<SetResult>& sets)
+Figure energy(const TestResult& test)
+{
+  static const std::vector<std::pair<const char*, const char*>> terms{
+      {"work_platens [J]", "work of the platens"}, {"work_side [J]", "work of the side"},
+      {"work_gravity [J]", "work of gravity"},     {"loss_friction [J]", "lost: friction"},
+      {"loss_rolling [J]", "lost: rolling"},       {"loss_dashpots [J]", "lost: dashpots"},
+      {"loss_damping [J]", "lost: local damping"}, {"energy_elastic [J]", "stored: elastic"},
+      {"energy_kinetic [J]", "stored: kinetic"},
+  };
+  Panel panel;
+  panel.title = "Energy balance of " + test.run->id;
+  panel.x = {axial_strain_title, false, 0.0, {}};
+  panel.y = {"energy [J]"};
+  std::size_t color = 0;
+  for (const auto& [column, label] : terms) {
+    const std::string name = label;
+    const Stroke stroke = name[0] == 'w'   ? Stroke::solid
+                          : name[0] == 'l' ? Stroke::dashed
+                                           : Stroke::dash_dotted;
+    panel.series.push_back({name, percent(test.axial_strain), test.run->history.numbers(column),
+                            palette(color++), stroke});
+  }
+  return {"energy_" + test.run->id,
+          "Where the work of the test went",
+          "Since the start of shear; compression of the specimen does positive work.",
+          {panel}};
+}
+
+}  // namespace
+
+Figure check_figure(const std::vector<SetResult>& sets)
 {
   const Axis strain{axial_strain_title, false, 0.0, {}};
   Panel unbalanced{"Unbalanced force ratio (average), limit for the start of shear",
@@ -52,41 +81,17 @@ void draw_checks(const std::filesystem::path& folder, const std::vector<SetResul
     platens.series.push_back(limit("", end, -3.0));
     panels.push_back(platens);
   }
-  draw_figure(folder / "checks", panels);
+  return {"checks", "Equilibrium, rate and platens during shear",
+          "Grey: what is allowed; the unbalanced ratio is a condition for the start of shear only.",
+          panels};
 }
 
-void draw_energy(const std::filesystem::path& folder, const TestResult& test)
+std::vector<Figure> energy_figures(const std::vector<SetResult>& sets)
 {
-  static const std::vector<std::pair<const char*, const char*>> terms{
-      {"work_platens [J]", "work of the platens"}, {"work_side [J]", "work of the side"},
-      {"work_gravity [J]", "work of gravity"},     {"loss_friction [J]", "lost: friction"},
-      {"loss_rolling [J]", "lost: rolling"},       {"loss_dashpots [J]", "lost: dashpots"},
-      {"loss_damping [J]", "lost: local damping"}, {"energy_elastic [J]", "stored: elastic"},
-      {"energy_kinetic [J]", "stored: kinetic"},
-  };
-  Panel panel;
-  panel.title = "Energy balance of " + test.run->id;
-  panel.x = {axial_strain_title, false, 0.0, {}};
-  panel.y = {"energy [J]"};
-  std::size_t color = 0;
-  for (const auto& [column, label] : terms) {
-    const std::string name = label;
-    const Stroke stroke = name[0] == 'w'   ? Stroke::solid
-                          : name[0] == 'l' ? Stroke::dashed
-                                           : Stroke::dash_dotted;
-    panel.series.push_back({name, percent(test.axial_strain), test.run->history.numbers(column),
-                            palette(color++), stroke});
-  }
-  draw_figure(folder / ("energy_" + test.run->id), {panel});
-}
-
-}  // namespace
-
-void draw_run_figures(const std::filesystem::path& folder, const std::vector<SetResult>& sets)
-{
-  draw_checks(folder, sets);
+  std::vector<Figure> figures;
   for (const SetResult& set : sets)
-    for (const TestResult& test : set.tests) draw_energy(folder, test);
+    for (const TestResult& test : set.tests) figures.push_back(energy(test));
+  return figures;
 }
 
 }  // namespace encased_column

@@ -1,6 +1,5 @@
 #include "drawing/sleeve_figures.h"
 
-#include "drawing/figure.h"
 #include "drawing/labels.h"
 #include "report/sleeve_theory.h"
 #include "report/text_layout.h"
@@ -120,23 +119,72 @@ Panel hoop_tension(const NamedTest& named, const std::optional<StripLimit>& limi
   return panel;
 }
 
+/// The sleeves of all tests where the platens have come closer by `displacement` [m].
+Panel radial_expansion(const std::vector<NamedTest>& tests, double displacement)
+{
+  Panel panel{"Radial displacement along the height at " + fixed(1e3 * displacement, 0) +
+                  " mm of vertical displacement",
+              {"radial displacement [mm], expansion positive"},
+              {"height [mm]", false, 0.0},
+              {}};
+  std::size_t color = 0;
+  for (const NamedTest& named : tests) {
+    const double height = initial_height(*named.test);
+    std::vector<double> strains;
+    for (const SleeveProfile& profile : named.test->profiles)
+      strains.push_back(profile.axial_strain);
+    for (const std::size_t i : nearest_places(strains, {displacement / height}, frame_tolerance)) {
+      const SleeveProfile& profile = named.test->profiles[i];
+      panel.series.push_back(
+          {named.name + " (" + fixed(1e3 * profile.axial_strain * height, 1) + " mm)",
+           scaled(profile.radial_displacement, 1e3), scaled(profile.height, 1e3), palette(color)});
+    }
+    ++color;
+  }
+  return panel;
+}
+
+/// `figures` with one more, unless it has no panel.
+void add(std::vector<Figure>& figures, Figure figure)
+{
+  if (!figure.panels.empty()) figures.push_back(std::move(figure));
+}
+
 }  // namespace
 
-void draw_sleeve_figures(const std::filesystem::path& folder, const std::vector<SetResult>& sets,
-                         const Targets& targets)
+std::vector<Figure> sleeve_figures(const std::vector<SetResult>& sets, const Targets& targets)
 {
-  std::vector<Panel> strains, stresses, profiles, tensions;
-  for (const NamedTest& named : encased_tests(sets)) {
+  std::vector<Panel> strains, stresses, profiles, tensions, expansions;
+  const std::vector<NamedTest> tests = encased_tests(sets);
+  for (const NamedTest& named : tests) {
     strains.push_back(radial_strain(named, targets));
     stresses.push_back(platens(named));
     if (named.test->sleeve) tensions.push_back(hoop_tension(named, targets.strip_limit()));
     const Panel profile = radial_profile(named);
     if (!profile.series.empty()) profiles.push_back(profile);
   }
-  if (!strains.empty()) draw_figure(folder / "radial_strain", strains);
-  if (!stresses.empty()) draw_figure(folder / "platens", stresses);
-  if (!profiles.empty()) draw_figure(folder / "radial_profile", profiles);
-  if (!tensions.empty()) draw_figure(folder / "hoop_tension", tensions);
+  for (const double displacement : {0.012, 0.024}) {
+    const Panel panel = radial_expansion(tests, displacement);
+    if (!panel.series.empty()) expansions.push_back(panel);
+  }
+  std::vector<Figure> figures;
+  add(figures, {"radial_strain", "Radial strain at three heights",
+                "Counterpart of the study's Figure 8; its values at the end of the tests are "
+                "drawn as discs at 20 %.",
+                strains});
+  add(figures, {"platens", "Deviatoric stress at both platens",
+                "The sleeve takes load between them; dashed: the closed form with the run's own "
+                "hoop tension and friction angle.",
+                stresses});
+  add(figures, {"radial_profile", "Radial displacement along the height",
+                "Counterpart of the study's Figure 11b, for the triaxial specimen.", profiles});
+  add(figures, {"radial_expansion", "Radial displacement at 12 and 24 mm of displacement",
+                "Counterpart of the study's Figures 17 and 19, for the triaxial specimen; in "
+                "brackets the displacement of the nearest profile.",
+                expansions});
+  add(figures, {"hoop_tension", "Hoop tension of the sleeve",
+                "Grey: the last step of the study's strip test (Table 3).", tensions});
+  return figures;
 }
 
 }  // namespace encased_column

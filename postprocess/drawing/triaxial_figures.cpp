@@ -1,7 +1,6 @@
 #include "drawing/triaxial_figures.h"
 
 #include "core/constants.h"
-#include "drawing/figure.h"
 #include "drawing/labels.h"
 #include "report/text_layout.h"
 
@@ -95,18 +94,15 @@ void add_set(Panel& panel, const SetResult& set, std::size_t first_color, const 
 
 }  // namespace
 
-void draw_triaxial_figures(const std::filesystem::path& folder, const std::vector<SetResult>& sets,
-                           const Targets& targets)
+std::vector<Figure> triaxial_figures(const std::vector<SetResult>& sets, const Targets& targets)
 {
   Panel stress = curves(sets, &TestResult::deviatoric_stress, 1e-3);
   stress.title = platen_title(sets);
   stress.y = {"deviatoric stress q [kPa]", false, 0.0, {}};
-  draw_figure(folder / "deviatoric_stress", {stress});
 
   Panel volume = curves(sets, &TestResult::volumetric_strain, 100.0);
   volume.title = "Volumetric strain, compression positive";
   volume.y = {"volumetric strain εᵥ [%]"};
-  draw_figure(folder / "volumetric_strain", {volume});
 
   Panel strength;
   strength.title = platen_title(sets);
@@ -114,7 +110,18 @@ void draw_triaxial_figures(const std::filesystem::path& folder, const std::vecto
   strength.y = {"deviatoric stress q [kPa]", false, 0.0, {}};
   for (std::size_t s = 0; s < sets.size(); ++s)
     add_set(strength, sets[s], s, targets, sets.size() > 1);
-  draw_figure(folder / "p_q", {strength});
+  return {{"deviatoric_stress",
+           "Deviatoric stress over axial strain",
+           "The study has it in Figures 3 (plain) and 7a (encased).",
+           {stress}},
+          {"volumetric_strain",
+           "Volumetric strain over axial strain",
+           "Of the volume between the platens; compression positive.",
+           {volume}},
+          {"p_q",
+           "Failure lines in the p-q plane",
+           "Through the peaks; the study has it in Figure 7b (encased).",
+           {strength}}};
 }
 
 }  // namespace encased_column

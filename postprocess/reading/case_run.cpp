@@ -37,12 +37,14 @@ CaseRun read_description(const fs::path& folder)
   run.folder = folder;
   try {
     std::ifstream stream(file);
-    const nlohmann::json json = nlohmann::json::parse(stream);
+    const auto json = nlohmann::ordered_json::parse(stream);
     run.id = json.at("id").get<std::string>();
     run.deck = json.at("deck").get<std::string>();
     run.title = json.value("title", run.id);
+    run.reproduces = json.value("reproduces", "");
     for (const auto& [name, value] : json.at("variables").items()) {
       if (value.is_number()) run.variables[name] = value.get<double>();
+      run.inputs.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
       if (name == "resolution" && value.is_string()) run.resolution = value.get<std::string>();
     }
   } catch (const nlohmann::json::exception& problem) {

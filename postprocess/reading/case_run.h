@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace encased_column {
@@ -14,7 +15,9 @@ namespace encased_column {
 struct CaseRun {
   std::filesystem::path folder;
   std::string id, deck, title;
-  std::string resolution;                     ///< empty if the deck has none
+  std::string reproduces;  ///< of the study; empty if the case does not say
+  std::vector<std::pair<std::string, std::string>> inputs;  ///< all variables, in the deck's order
+  std::string resolution;                                   ///< empty if the deck has none
   std::map<std::string, double> variables;    ///< the numbers among the deck's variables
   double confining_stress;                    ///< sigma3 asked for [Pa]
   TextTable history;                          ///< samples of the shear stage

@@ -13,6 +13,8 @@ std::string verdict(const Check& check)
   return check.required ? "FAIL" : "not required";
 }
 
+}  // namespace
+
 Rows check_rows(const std::vector<SetResult>& sets)
 {
   Rows rows{{"test", "check", "found", "allowed", "verdict"}};
@@ -26,21 +28,28 @@ Rows check_rows(const std::vector<SetResult>& sets)
   return rows;
 }
 
-}  // namespace
-
-std::string check_text(const std::vector<SetResult>& sets)
+std::string CheckCount::sentence() const
 {
-  int failed = 0, required = 0;
+  if (failed == 0) return "All " + std::to_string(required) + " checks passed.";
+  return std::to_string(failed) + " of " + std::to_string(required) + " checks FAILED.";
+}
+
+CheckCount count_checks(const std::vector<SetResult>& sets)
+{
+  CheckCount count;
   for (const SetResult& set : sets)
     for (const TestResult& test : set.tests)
       for (const Check& check : test.checks) {
-        required += check.required;
-        failed += check.required && !check.passed();
+        count.required += check.required;
+        count.failed += check.required && !check.passed();
       }
+  return count;
+}
+
+std::string check_text(const std::vector<SetResult>& sets)
+{
   return aligned(check_rows(sets), {false, false, true, true, false}) +
-         (failed == 0
-              ? "All " + std::to_string(required) + " checks passed.\n"
-              : std::to_string(failed) + " of " + std::to_string(required) + " checks FAILED.\n");
+         count_checks(sets).sentence() + '\n';
 }
 
 std::string check_csv(const std::vector<SetResult>& sets)

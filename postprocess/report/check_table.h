@@ -1,11 +1,22 @@
 #pragma once
 
 #include "report/evaluation.h"
+#include "report/text_layout.h"
 
 #include <string>
 #include <vector>
 
 namespace encased_column {
+
+/// The checks of all tests, one row each, below a row of headings.
+Rows check_rows(const std::vector<SetResult>& sets);
+
+/// How many of the required checks failed.
+struct CheckCount {
+  int failed = 0, required = 0;
+  std::string sentence() const;
+};
+CheckCount count_checks(const std::vector<SetResult>& sets);
 
 /// The checks of all tests for reading, one row each, and a last line that says how many failed.
 std::string check_text(const std::vector<SetResult>& sets);

@@ -1,6 +1,7 @@
 #include "report/evaluation.h"
 
 #include "core/input_error.h"
+#include "reading/column_files.h"
 #include "reading/grain_file.h"
 #include "reading/sleeve_files.h"
 
@@ -57,6 +58,8 @@ TestResult evaluate_run(const CaseRun& run, Platen platen, const std::optional<S
       result.peak.reported);
   result.checks = run_checks(result.record, !run.encased());
   if (const auto grains = last_grain_file(run.folder)) result.grains = grains->grains;
+  result.spheres = read_spheres(run);
+  result.contacts = read_contacts(run);
   if (!run.encased()) return result;
 
   result.sleeve = read_sleeve_record(run.folder);
@@ -74,6 +77,11 @@ bool has_two_confining_stresses(const std::vector<TestResult>& tests)
 }
 
 }  // namespace
+
+double initial_height(const TestResult& test)
+{
+  return test.run->history.numbers("height [m]").front();
+}
 
 std::string platen_name(Platen platen)
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "analysis/contact_forces.h"
+#include "analysis/measuring_spheres.h"
 #include "analysis/mohr_coulomb.h"
 #include "analysis/peak_strength.h"
 #include "analysis/sleeve_checks.h"
@@ -35,7 +37,12 @@ struct TestResult {
   std::optional<long> grains;
   std::optional<SleeveRecord> sleeve;   ///< of encased tests that wrote one
   std::vector<SleeveProfile> profiles;  ///< the same
+  std::vector<SphereSeries> spheres;    ///< from the bottom; none if the run wrote none
+  std::vector<ContactSample> contacts;  ///< the same
 };
+
+/// Height [m] of the specimen at the start of shear.
+double initial_height(const TestResult& test);
 
 /// What the runs of one set gave together.
 struct SetResult {

@@ -22,21 +22,6 @@ std::string optional_text(const std::optional<double>& value)
   return value ? in_words(*value) : "-";
 }
 
-const std::vector<std::string> headings{"test",       "quantity",       "unit",  "found",
-                                        "laboratory", "difference [%]", "model", "difference [%]"};
-
-std::vector<std::string> as_words(const ResultRow& row)
-{
-  return {row.test,
-          row.quantity,
-          row.unit,
-          fixed(row.value, row.decimals),
-          optional_text(row.published.laboratory),
-          difference(row.value, row.published.laboratory),
-          optional_text(row.published.model),
-          difference(row.value, row.published.model)};
-}
-
 /// The porosities a run knows; the study gives one, of the sample as prepared in the laboratory.
 void add_porosities(const TestResult& test, const Targets& targets, std::vector<ResultRow>& rows)
 {
@@ -88,6 +73,21 @@ void add_sleeve(const TestResult& test, std::vector<ResultRow>& rows)
 
 }  // namespace
 
+const std::vector<std::string> result_headings{
+    "test", "quantity", "unit", "found", "laboratory", "difference [%]", "model", "difference [%]"};
+
+std::vector<std::string> as_words(const ResultRow& row)
+{
+  return {row.test,
+          row.quantity,
+          row.unit,
+          fixed(row.value, row.decimals),
+          optional_text(row.published.laboratory),
+          difference(row.value, row.published.laboratory),
+          optional_text(row.published.model),
+          difference(row.value, row.published.model)};
+}
+
 std::vector<ResultRow> result_rows(const SetResult& set, const Targets& targets)
 {
   std::vector<ResultRow> rows;
@@ -122,20 +122,26 @@ std::vector<ResultRow> result_rows(const SetResult& set, const Targets& targets)
   return rows;
 }
 
+std::vector<std::string> test_notes(const TestResult& test)
+{
+  std::vector<std::string> notes;
+  if (test.peak.noisy)
+    notes.push_back("Peak of " + test.run->id + ": the largest average over 0.5 % strain; " +
+                    "single samples reach " + fixed(test.peak.raw / 1e3, 1) + " kPa.");
+  if (!test.secant_modulus)
+    notes.push_back("No E50 of " + test.run->id + ": it starts shear above half of its peak.");
+  if (test.peak.axial_strain >= test.axial_strain.back() - peak_averaging_width)
+    notes.push_back("Peak of " + test.run->id + ": at the end of the test, " +
+                    fixed(100.0 * test.axial_strain.back(), 1) +
+                    " % strain; the curve may still rise.");
+  return notes;
+}
+
 std::vector<std::string> result_notes(const SetResult& set)
 {
   std::vector<std::string> notes;
-  for (const TestResult& test : set.tests) {
-    if (test.peak.noisy)
-      notes.push_back("Peak of " + test.run->id + ": the largest average over 0.5 % strain; " +
-                      "single samples reach " + fixed(test.peak.raw / 1e3, 1) + " kPa.");
-    if (!test.secant_modulus)
-      notes.push_back("No E50 of " + test.run->id + ": it starts shear above half of its peak.");
-    if (test.peak.axial_strain >= test.axial_strain.back() - peak_averaging_width)
-      notes.push_back("Peak of " + test.run->id + ": at the end of the test, " +
-                      fixed(100.0 * test.axial_strain.back(), 1) +
-                      " % strain; the curve may still rise.");
-  }
+  for (const TestResult& test : set.tests)
+    for (const std::string& note : test_notes(test)) notes.push_back(note);
   if (!set.line)
     notes.push_back(
         "No friction angle and cohesion: they take peaks at two confining stresses at least, "
@@ -167,7 +173,7 @@ std::string result_text(const std::vector<SetResult>& sets, const Targets& targe
     text += std::string(first.run->encased() ? "Encased" : "Plain") + " triaxial tests";
     if (!first.run->resolution.empty()) text += ", resolution " + first.run->resolution;
     text += ", q from the " + platen_name(first.platen) + "; laboratory and model: the study's\n\n";
-    Rows rows{headings};
+    Rows rows{result_headings};
     for (const ResultRow& row : result_rows(set, targets)) rows.push_back(as_words(row));
     text += aligned(rows, {false, false, false, true, true, true, true, true});
     for (const std::string& note : result_notes(set)) text += note + '\n';

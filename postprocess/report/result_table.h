@@ -24,7 +24,14 @@ struct ResultRow {
 /// the largest hoop tension.
 std::vector<ResultRow> result_rows(const SetResult& set, const Targets& targets);
 
-/// What a reader of the rows must know: peaks that are averages, peaks at the end, no line.
+/// The headings of rows as words, and a row as words below them; "-" for what there is none of.
+extern const std::vector<std::string> result_headings;
+std::vector<std::string> as_words(const ResultRow& row);
+
+/// What a reader of the rows of one test must know: a peak that is an average or at the end.
+std::vector<std::string> test_notes(const TestResult& test);
+
+/// The same for all tests of a set, and whether there is no line.
 std::vector<std::string> result_notes(const SetResult& set);
 
 /// The sets as one CSV table with differences in percent of the published values.

@@ -44,6 +44,8 @@ const std::vector<std::string> headings{
     "q theory [kPa]", "q top [kPa]",          "top to theory [%]",
     "q bottom [kPa]", "bottom to theory [%]", "friction share [%]"};
 
+}  // namespace
+
 Rows theory_rows(const std::vector<SetResult>& sets)
 {
   Rows rows{headings};
@@ -54,8 +56,6 @@ Rows theory_rows(const std::vector<SetResult>& sets)
           rows.push_back(as_words(test.run->id, *state));
   return rows;
 }
-
-}  // namespace
 
 std::string theory_text(const std::vector<SetResult>& sets)
 {

@@ -1,0 +1,138 @@
+#include "drawing/load_figures.h"
+
+#include "drawing/labels.h"
+
+#include <algorithm>
+
+namespace encased_column {
+
+namespace {
+
+const Axis mean_stress{"mean stress p = (σ₁ + 2 σ₃) / 3 [kPa]", false, 0.0, {}};
+const Axis deviatoric_stress{"deviatoric stress q [kPa]", false, 0.0, {}};
+const char* const core_axial = "core_axial_stress [Pa]";
+const char* const core_radial = "core_radial_stress [Pa]";
+
+/// A test with the name and the look of its curves.
+struct Curve {
+  const TestResult* test;
+  std::string label;
+  Color color;
+  Stroke stroke;
+
+  Series of(const std::vector<double>& x, const std::vector<double>& y) const
+  {
+    return {label, x, y, color, stroke};
+  }
+};
+
+std::vector<Curve> curves_of(const std::vector<SetResult>& sets)
+{
+  std::vector<Curve> curves;
+  const auto labels = test_labels(sets);
+  const auto colors = color_numbers(sets);
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (std::size_t t = 0; t < sets[s].tests.size(); ++t) {
+      const TestResult& test = sets[s].tests[t];
+      const bool dashed = sets.size() > 1 && !test.run->encased();
+      curves.push_back(
+          {&test, labels[s][t], palette(colors[s][t]), dashed ? Stroke::dashed : Stroke::solid});
+    }
+  return curves;
+}
+
+Panel pressure(const std::vector<Curve>& curves, const std::string& platen,
+               std::vector<double> ShearRecord::*stress)
+{
+  Panel panel{"Pressure on the " + platen + " platen",
+              {"vertical displacement [mm]", false, 0.0, {}},
+              {"vertical pressure [kPa]", false, 0.0, {}},
+              {}};
+  for (const Curve& curve : curves)
+    panel.series.push_back(
+        curve.of(scaled(curve.test->axial_strain, 1e3 * initial_height(*curve.test)),
+                 scaled(curve.test->record.*stress, 1e-3)));
+  return panel;
+}
+
+struct Path {
+  std::vector<double> p, q;  ///< [kPa]
+};
+
+Path path_of(const std::vector<double>& confining, const std::vector<double>& deviatoric)
+{
+  Path path;
+  for (std::size_t i = 0; i < confining.size(); ++i) {
+    const StressPoint point = stress_point(confining[i], deviatoric[i]);
+    path.p.push_back(point.mean_stress / 1e3);
+    path.q.push_back(point.deviatoric_stress / 1e3);
+  }
+  return path;
+}
+
+/// The laboratory's failure line of each set, as far as the curves of `panel` go.
+void add_lines(Panel& panel, const std::vector<SetResult>& sets, const Targets& targets)
+{
+  double highest = 0.0;
+  for (const Series& series : panel.series)
+    highest = std::max(highest, *std::max_element(series.x.begin(), series.x.end()));
+  for (const SetResult& set : sets)
+    if (const auto strength = targets.strength(set.set, true)) {
+      const FailureLine line = failure_line_of(*strength);
+      const bool encased = set.tests.front().run->encased();
+      panel.series.push_back({std::string("laboratory, ") + (encased ? "encased" : "plain"),
+                              {0.0, highest},
+                              {line.intercept / 1e3, line.deviatoric_stress(1e3 * highest) / 1e3},
+                              grey,
+                              encased ? Stroke::solid : Stroke::dash_dotted});
+    }
+}
+
+Panel boundary_path(const std::vector<Curve>& curves)
+{
+  Panel panel{"At the boundary", mean_stress, deviatoric_stress, {}};
+  for (const Curve& curve : curves) {
+    const Path path = path_of(curve.test->record.confining_stress, curve.test->deviatoric_stress);
+    panel.series.push_back(curve.of(path.p, path.q));
+  }
+  return panel;
+}
+
+/// The grains of the middle third feel the sleeve's confinement too.
+Panel core_path(const std::vector<Curve>& curves)
+{
+  Panel panel{"Grains of the middle third", mean_stress, deviatoric_stress, {}};
+  for (const Curve& curve : curves) {
+    const TextTable& history = curve.test->run->history;
+    if (!history.has(core_axial) || !history.has(core_radial)) continue;
+    const std::vector<double> radial = history.numbers(core_radial);
+    std::vector<double> deviatoric = history.numbers(core_axial);
+    for (std::size_t i = 0; i < radial.size(); ++i) deviatoric[i] -= radial[i];
+    const Path path = path_of(radial, deviatoric);
+    panel.series.push_back(curve.of(path.p, path.q));
+  }
+  return panel;
+}
+
+}  // namespace
+
+std::vector<Figure> load_figures(const std::vector<SetResult>& sets, const Targets& targets)
+{
+  const std::vector<Curve> curves = curves_of(sets);
+  Figure paths{"stress_path",
+               "Stress paths",
+               "q at the boundary is that of the platen named above; of the grains it is axial "
+               "less radial stress, and p counts what the sleeve adds to the confinement.",
+               {boundary_path(curves)}};
+  const Panel core = core_path(curves);
+  if (!core.series.empty()) paths.panels.push_back(core);
+  for (Panel& panel : paths.panels) add_lines(panel, sets, targets);
+  return {{"pressure_displacement",
+           "Vertical pressure over displacement",
+           "Counterpart of the study's Figures 11a, 16 and 18, for the triaxial specimen.",
+           {pressure(curves, "upper", &ShearRecord::stress_top),
+            pressure(curves, "lower", &ShearRecord::stress_bottom)}},
+          paths};
+}
+
+}  // namespace encased_column

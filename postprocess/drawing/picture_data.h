@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace encased_column {
+
+/// A picture for a page that keeps it inside.
+struct PictureData {
+  std::string base64;  ///< of a PNG file
+  int width, height;   ///< [px]
+};
+
+/// The picture `file` (PNG), made smaller to be `width` [px] wide at most.
+PictureData picture_data(const std::filesystem::path& file, int width);
+
+}  // namespace encased_column

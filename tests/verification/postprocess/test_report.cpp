@@ -1,0 +1,206 @@
+// The reports of a plain and an encased test of some hundred grains, opened in a browser.
+#include "browser.h"
+#include "support/child_program.h"
+#include "support/csv_table.h"
+#include "support/small_triaxial.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+using namespace encased_column::testing;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr int variables_of_a_case = 4;
+
+/// A run folder as ./input_scripts/run makes it.
+void make_case(const fs::path& folder, const std::string& kind)
+{
+  const std::string deck = "triaxial_" + kind;
+  const fs::path inputs = fs::path(ENCASE_SOURCE) / "input_scripts";
+  fs::create_directories(folder);
+  const Outcome outcome = run_small_triaxial(folder, 1, read_text(inputs / deck / (deck + ".lmp")));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  fs::create_directories(folder / "input");
+  fs::copy_file(inputs / deck / (deck + ".lmp"), folder / "input" / (deck + ".lmp"));
+  fs::copy(inputs / "common", folder / "input/common");
+  std::ofstream(folder / "case.json")
+      << "{\"id\": \"" << kind << "\", \"deck\": \"" << deck << "\", \"title\": \"A <small> test, "
+      << kind << "\", \"variables\": {\"resolution\": \"small\", \"sigma3\": 50000, "
+      << "\"modulus\": 7000000, \"radius\": 0.03}}\n";
+  std::ofstream(folder / "command.txt")
+      << "/opt/liggghts-encase -in input/x.lmp -var common input/common -var sigma3 50e3\n";
+  std::ofstream(folder / "finished") << "2026-01-01T00:00:00Z\nwall time 4000 s\n";
+  std::ofstream(folder / "versions.txt") << "encased columns v9\ncores 2, ranks 1, Linux\n";
+}
+
+/// Statistics of contacts at the first and the last step of the history.
+void write_contacts(const fs::path& folder)
+{
+  const std::vector<double> steps = CsvTable(folder / "history.csv").column("step [-]");
+  std::ofstream contacts(folder / "contacts.csv");
+  contacts << "step [-],contacts [-],mean_force [N],largest_force [N]";
+  for (const char* level : {"5", "20", "40", "60"})
+    contacts << ",contacts_above_" << level << "N [-],share_above_" << level << "N [-]";
+  for (const double step : {steps.front(), steps.back()})
+    contacts << '\n' << step << ",321,4.5,98.7,100,0.3,50,0.15,20,0.06,5,0.0155";
+  contacts << '\n';
+}
+
+/// One series and one visit for all tests.
+class ReportTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite()
+  {
+    folder_ = new TemporaryFolder;
+    const fs::path series = folder_->path();
+    make_case(series / "plain", "plain");
+    make_case(series / "encased", "encased");
+    write_contacts(series / "encased");
+    outcome_ = run_program({ENCASE_POSTPROCESS, series}, series);
+    ASSERT_EQ(outcome_.exit_code, 0) << outcome_.output;
+    visit_ = visit(series, pages);
+  }
+  static void TearDownTestSuite() { delete folder_; }
+  void SetUp() override { ASSERT_EQ(visit_.pages.size(), pages.size()) << outcome_.output; }
+
+  static std::string text(const std::string& file) { return read_text(folder_->path() / file); }
+  static const json& page(const std::string& name) { return visit_.pages.at(name); }
+  static int rows(const std::string& name, const std::string& table)
+  {
+    return page(name).at("tables").at(table).at("rows").get<int>();
+  }
+  /// How many lines of `file` start with `start`.
+  static int lines(const std::string& file, const std::string& start)
+  {
+    std::istringstream stream(text(file));
+    int count = 0;
+    for (std::string line; std::getline(stream, line);) count += line.rfind(start, 0) == 0;
+    return count;
+  }
+
+  inline static const std::vector<std::string> pages{"report.html", "plain/report.html",
+                                                     "encased/report.html"};
+  inline static BrowserVisit visit_;
+
+ private:
+  inline static TemporaryFolder* folder_ = nullptr;
+  inline static Outcome outcome_;
+};
+
+}  // namespace
+
+TEST_F(ReportTest, OpensWithoutAWordInTheConsole)
+{
+  EXPECT_EQ(visit_.console, std::vector<std::string>{});
+}
+
+TEST_F(ReportTest, TakesNothingFromElsewhere)
+{
+  for (const std::string& name : pages) {
+    const std::string html = text(name);
+    for (const char* outside : {"src=\"http", "href=\"http", "url(", "<link", "<script", "@import"})
+      EXPECT_EQ(html.find(outside), std::string::npos) << name << ": " << outside;
+  }
+}
+
+TEST_F(ReportTest, ShowsItsPicturesAndCharts)
+{
+  EXPECT_EQ(page("plain/report.html").at("images").size(), 1u);
+  EXPECT_EQ(page("encased/report.html").at("images").size(), 2u);
+  EXPECT_EQ(page("report.html").at("images").size(), 3u);
+  // Curves 4, paths 2, spheres 8, run 3, energy 1; the sleeve adds 3 and its contacts 1, and its
+  // platens are not compared. Profiles are drawn from 5 % strain on.
+  EXPECT_EQ(page("plain/report.html").at("charts").size(), 18u);
+  EXPECT_EQ(page("encased/report.html").at("charts").size(), 21u);
+  for (const std::string& name : pages) {
+    for (const json& width : page(name).at("images")) EXPECT_GT(width.get<int>(), 0) << name;
+    for (const json& drawn : page(name).at("charts")) EXPECT_TRUE(drawn.get<bool>()) << name;
+    EXPECT_EQ(page(name).at("nameless"), 0) << name;
+  }
+}
+
+TEST_F(ReportTest, FitsATelephone)
+{
+  for (const std::string& name : pages) {
+    EXPECT_EQ(page(name).at("window"), 390) << name;
+    EXPECT_LE(page(name).at("width").get<int>(), 390) << name;
+  }
+}
+
+TEST_F(ReportTest, HasNoGapInItsTablesAndNoDeadLink)
+{
+  for (const std::string& name : pages) {
+    EXPECT_EQ(page(name).at("dead"), 0) << name;
+    for (const auto& [id, table] : page(name).at("tables").items()) {
+      EXPECT_GT(table.at("rows").get<int>(), 0) << name << ' ' << id;
+      EXPECT_EQ(table.at("uneven"), 0) << name << ' ' << id;
+      EXPECT_EQ(table.at("empty"), 0) << name << ' ' << id;
+    }
+  }
+}
+
+TEST_F(ReportTest, TellsAllThatTheTablesOfTheSeriesTell)
+{
+  for (const std::string kind : {"plain", "encased"}) {
+    const std::string name = kind + "/report.html";
+    const int results = lines("table.csv", kind + "_triaxial," + kind + ',');
+    EXPECT_GT(results, 5);
+    EXPECT_EQ(rows(name, "results"), results);
+    EXPECT_EQ(rows("report.html", "results_" + kind + "_triaxial"), results);
+    EXPECT_EQ(rows(name, "checks"), lines("checks.csv", kind + ','));
+    EXPECT_EQ(rows(name, "inputs"), variables_of_a_case);
+    EXPECT_EQ(rows(name, "gradation"), 1);
+    EXPECT_EQ(rows(name, "column"), 10);  // three spheres, their mean, the walls; twice
+    EXPECT_EQ(rows(name, "counterparts"), 13);
+  }
+  EXPECT_EQ(rows("report.html", "tests_table"), 2);
+  EXPECT_EQ(rows("report.html", "checks_table"),
+            lines("checks.csv", "plain,") + lines("checks.csv", "encased,"));
+}
+
+TEST_F(ReportTest, ShowsTheContactsWhereARunWroteThem)
+{
+  EXPECT_EQ(rows("encased/report.html", "contacts"), 2);
+  EXPECT_NE(text("encased/report.html").find(">1.55<"), std::string::npos);  // % above 60 N
+  EXPECT_FALSE(page("plain/report.html").at("tables").contains("contacts"));
+  EXPECT_NE(text("plain/report.html").find("wrote no contacts.csv"), std::string::npos);
+}
+
+TEST_F(ReportTest, TellsUnitsWarningsAndHowToRepeatTheRun)
+{
+  const std::string html = text("plain/report.html");
+  EXPECT_NE(html.find("A &lt;small&gt; test, plain"), std::string::npos);
+  EXPECT_NE(html.find(">7</td><td>MPa</td>"), std::string::npos);
+  EXPECT_NE(html.find(">30</td><td>mm</td>"), std::string::npos);
+  EXPECT_NE(html.find("measuring sphere 1 of fix &apos;spheres&apos; holds"), std::string::npos);
+  EXPECT_NE(html.find("1 h 7 min"), std::string::npos);
+  EXPECT_NE(html.find("./input_scripts/run --case plain --resolution small --set sigma3=50e3 "
+                      "--ranks 1"),
+            std::string::npos);
+}
+
+// What the checks above would say of a page that is wrong in each of their ways.
+TEST(BrowserVisit, SeesWhatIsWrong)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "wrong.html")
+      << "<!DOCTYPE html><html><body><a href='#nowhere'>x</a><img src='gone.png'>"
+         "<div style='width: 500px'>wide</div><div class='panel'><svg></svg></div>"
+         "<table id='t'><thead><tr><th>a</th><th>b</th></tr></thead><tbody><tr><td>1</td><td></td>"
+         "</tr><tr><td>2</td></tr></tbody></table>"
+         "<script>console.error('oh')</script></body></html>";
+  const BrowserVisit seen = visit(folder.path(), {"wrong.html"});
+  const json& page = seen.pages.at("wrong.html");
+  EXPECT_EQ(page.at("images"), json::array({0}));
+  EXPECT_EQ(page.at("charts"), json::array({false}));
+  EXPECT_EQ(page.at("nameless"), 2);
+  EXPECT_EQ(page.at("dead"), 1);
+  EXPECT_GT(page.at("width").get<int>(), 390);
+  EXPECT_EQ(page.at("tables").at("t"), json({{"rows", 2}, {"uneven", 1}, {"empty", 1}}));
+  EXPECT_EQ(seen.console.size(), 1u);
+}
