@@ -3,6 +3,7 @@
 #include "drawing/labels.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace encased_column {
 
@@ -70,36 +71,41 @@ Path path_of(const std::vector<double>& confining, const std::vector<double>& de
   return path;
 }
 
-/// The laboratory's failure line of each set, as far as the curves of `panel` go.
-void add_lines(Panel& panel, const std::vector<SetResult>& sets, const Targets& targets)
+/// The laboratory's failure line of the set called `set`, as far as the curves of `panel` go.
+Series laboratory_line(const Panel& panel, const std::string& set, const Targets& targets)
 {
   double highest = 0.0;
   for (const Series& series : panel.series)
     highest = std::max(highest, *std::max_element(series.x.begin(), series.x.end()));
-  for (const SetResult& set : sets)
-    if (const auto strength = targets.strength(set.set, true)) {
-      const FailureLine line = failure_line_of(*strength);
-      const bool encased = set.tests.front().run->encased();
-      panel.series.push_back({std::string("laboratory, ") + (encased ? "encased" : "plain"),
-                              {0.0, highest},
-                              {line.intercept / 1e3, line.deviatoric_stress(1e3 * highest) / 1e3},
-                              grey,
-                              encased ? Stroke::solid : Stroke::dash_dotted});
-    }
+  const auto strength = targets.strength(set, true);
+  if (!strength) return {};
+  const FailureLine line = failure_line_of(*strength);
+  const bool encased = set.find("encased") != std::string::npos;
+  return {std::string("laboratory, ") + (encased ? "encased" : "plain"),
+          {0.0, highest},
+          {line.intercept / 1e3, line.deviatoric_stress(1e3 * highest) / 1e3},
+          grey,
+          encased ? Stroke::solid : Stroke::dash_dotted};
 }
 
-Panel boundary_path(const std::vector<Curve>& curves)
+Panel boundary_path(const std::vector<Curve>& curves, const std::vector<SetResult>& sets,
+                    const Targets& targets)
 {
   Panel panel{"At the boundary", mean_stress, deviatoric_stress, {}};
   for (const Curve& curve : curves) {
     const Path path = path_of(curve.test->record.confining_stress, curve.test->deviatoric_stress);
     panel.series.push_back(curve.of(path.p, path.q));
   }
+  std::vector<Series> lines;
+  for (const SetResult& set : sets) lines.push_back(laboratory_line(panel, set.set, targets));
+  for (Series& line : lines)
+    if (!line.x.empty()) panel.series.push_back(std::move(line));
   return panel;
 }
 
-/// The grains of the middle third feel the sleeve's confinement too.
-Panel core_path(const std::vector<Curve>& curves)
+/// The grains of the middle third feel the sleeve's confinement too: beside them stands the line of
+/// the gravel alone.
+Panel core_path(const std::vector<Curve>& curves, const Targets& targets)
 {
   Panel panel{"Grains of the middle third", mean_stress, deviatoric_stress, {}};
   for (const Curve& curve : curves) {
@@ -111,6 +117,9 @@ Panel core_path(const std::vector<Curve>& curves)
     const Path path = path_of(radial, deviatoric);
     panel.series.push_back(curve.of(path.p, path.q));
   }
+  if (panel.series.empty()) return panel;
+  const Series line = laboratory_line(panel, "plain_triaxial", targets);
+  if (!line.x.empty()) panel.series.push_back(line);
   return panel;
 }
 
@@ -123,10 +132,9 @@ std::vector<Figure> load_figures(const std::vector<SetResult>& sets, const Targe
                "Stress paths",
                "q at the boundary is that of the platen named above; of the grains it is axial "
                "less radial stress, and p counts what the sleeve adds to the confinement.",
-               {boundary_path(curves)}};
-  const Panel core = core_path(curves);
+               {boundary_path(curves, sets, targets)}};
+  const Panel core = core_path(curves, targets);
   if (!core.series.empty()) paths.panels.push_back(core);
-  for (Panel& panel : paths.panels) add_lines(panel, sets, targets);
   return {{"pressure_displacement",
            "Vertical pressure over displacement",
            "Counterpart of the study's Figures 11a, 16 and 18, for the triaxial specimen.",

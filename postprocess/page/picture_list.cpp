@@ -11,7 +11,7 @@ struct Kind {
 
 const std::vector<Kind> kinds{
     {"specimen_", "Grains at the end of the run, coloured by displacement [mm]",
-     "Counterpart of the right half of the study's Figure 9."},
+     "The study's Figure 9 shows its encased specimens so."},
     {"hoop_tension_",
      "Deformed sleeve at the end of the run, coloured by hoop tension [kN/m], a quarter cut out",
      "The study shows the shape in its Figure 9."},
