@@ -79,8 +79,7 @@ void set_results(PageData& page, const std::vector<SetResult>& sets, const Targe
         "results_" + set.set,
         kind(set) + " triaxial tests, q from the " + platen_name(set.tests.front().platen),
         without(rows, "unit"), "quantity");
-    for (const std::string& note : result_notes(set))
-      notes << PageData{"sentence", kind(set) + ": " + note};
+    for (const std::string& note : result_notes(set)) notes << PageData{"sentence", note};
   }
   page.set("results", tables);
   page.set("notes", notes);

@@ -144,8 +144,10 @@ std::vector<std::string> result_notes(const SetResult& set)
     for (const std::string& note : test_notes(test)) notes.push_back(note);
   if (!set.line)
     notes.push_back(
-        "No friction angle and cohesion: they take peaks at two confining stresses at least, "
-        "on a line that rises by less than 3.");
+        std::string("No friction angle and cohesion of the ") +
+        (set.tests.front().run->encased() ? "encased" : "plain") +
+        " tests: they take peaks at two confining stresses at least, on a line that rises by less "
+        "than 3.");
   return notes;
 }
 
