@@ -10,9 +10,9 @@ namespace encased_column {
 
 namespace {
 
-/// A neighbourhood is flat when its second moment in the thinnest direction is smaller than this
-/// part of that in the widest.
-constexpr double flattest = 1e-6;
+/// A neighbourhood is flat when the product of its second moments in the principal directions is
+/// smaller than this part of their mean cubed.
+constexpr double flattest = 1e-2;
 
 /// Weighted sums about the grain in the middle.
 struct Neighbourhood {
@@ -20,14 +20,14 @@ struct Neighbourhood {
   Vec3 x = Vec3::Zero(), u = Vec3::Zero();
   Mat3 xx = Mat3::Zero(), ux = Mat3::Zero();
 
-  void add(double w, double side, const Vec3& apart, const Vec3& moved, const Mat3& apart_apart,
-           const Mat3& moved_apart)
+  void add(double w, const Vec3& apart, const Vec3& moved)
   {
+    const Vec3 weighted = w * apart;
     weight += w;
-    x += (w * side) * apart;
-    u += (w * side) * moved;
-    xx += w * apart_apart;
-    ux += w * moved_apart;
+    x += weighted;
+    u += w * moved;
+    xx += apart * weighted.transpose();
+    ux += moved * weighted.transpose();
   }
 };
 
@@ -42,10 +42,10 @@ double deviatoric_part_of_stretch(const Mat3& gradient)
 
 double deviatoric_strain(const Neighbourhood& n)
 {
+  if (n.weight == 0.0) return strain_unknown;
   const Mat3 spread = n.xx - n.x * n.x.transpose() / n.weight;
   const Mat3 motion = n.ux - n.u * n.x.transpose() / n.weight;
-  const Eigen::SelfAdjointEigenSolver<Mat3> moments(spread, Eigen::EigenvaluesOnly);
-  if (!(moments.eigenvalues()(0) > flattest * moments.eigenvalues()(2))) return strain_unknown;
+  if (!(spread.determinant() > flattest * std::pow(spread.trace() / 3.0, 3))) return strain_unknown;
   return deviatoric_part_of_stretch(motion * spread.inverse());
 }
 
@@ -53,38 +53,39 @@ double deviatoric_strain(const Neighbourhood& n)
 
 std::vector<double> local_deviatoric_strain(const std::vector<MovedGrain>& grains, double range)
 {
-  const int count = static_cast<int>(grains.size());
+  const double finest = finest_neighbour * mean_diameter_by_volume(grains);
+  std::vector<MovedGrain> coarse;
   std::vector<double> centers;
-  for (const MovedGrain& grain : grains)
+  for (const MovedGrain& grain : grains) {
+    if (grain.diameter < finest) continue;
+    coarse.push_back(grain);
     centers.insert(centers.end(), grain.position.data(), grain.position.data() + 3);
+  }
   const double reach = 0.5 * range;  // of each of two, as the grid looks for spheres that touch
   GrainGrid grid;
-  grid.sort(centers.data(), std::vector<double>(count, reach).data(), count, 1.0, 0.0);
+  grid.sort(centers.data(), std::vector<double>(coarse.size(), reach).data(),
+            static_cast<int>(coarse.size()), 1.0, 0.0);
 
-  std::vector<Neighbourhood> around(count);
-  for (int i = 0; i < count; ++i) {
-    const MovedGrain& one = grains[i];
-    around[i].weight += one.volume;  // itself, at no distance
-    grid.near(one.position, reach, i + 1, [&](int j) {
-      const MovedGrain& other = grains[j];
-      const Vec3 apart = other.position - one.position;
-      const Vec3 moved = other.displacement - one.displacement;
-      const Mat3 apart_apart = apart * apart.transpose(), moved_apart = moved * apart.transpose();
-      around[i].add(other.volume, 1.0, apart, moved, apart_apart, moved_apart);
-      around[j].add(one.volume, -1.0, apart, moved, apart_apart, moved_apart);
-    });
-  }
   std::vector<double> strain;
-  for (const Neighbourhood& n : around) strain.push_back(deviatoric_strain(n));
+  for (const MovedGrain& grain : grains) {
+    Neighbourhood around;
+    grid.near(grain.position, reach, 0, [&](int j) {
+      const MovedGrain& other = coarse[j];
+      around.add(std::pow(other.diameter, 3), other.position - grain.position,
+                 other.displacement - grain.displacement);
+    });
+    strain.push_back(deviatoric_strain(around));
+  }
   return strain;
 }
 
-double mean_diameter_by_volume(const std::vector<double>& diameters)
+double mean_diameter_by_volume(const std::vector<MovedGrain>& grains)
 {
   double cubes = 0.0, fourths = 0.0;
-  for (const double d : diameters) {
-    cubes += d * d * d;
-    fourths += d * d * d * d;
+  for (const MovedGrain& grain : grains) {
+    const double cube = std::pow(grain.diameter, 3);
+    cubes += cube;
+    fourths += cube * grain.diameter;
   }
   return cubes > 0.0 ? fourths / cubes : 0.0;
 }

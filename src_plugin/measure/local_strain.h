@@ -10,16 +10,20 @@ namespace encased_column {
 struct MovedGrain {
   Vec3 position;      ///< in the reference state [m]
   Vec3 displacement;  ///< since then [m]
-  double volume;      ///< its weight in the mean over neighbours [m^3]
+  double diameter;    ///< [m]
 };
+
+/// Grains smaller than this part of the mean diameter by volume are nobody's neighbours.
+constexpr double finest_neighbour = 0.5;
 
 /// Value of a grain with too few neighbours to span a volume.
 constexpr double strain_unknown = -1.0;
 
-/// Deviatoric strain [-] about each of `grains`, from how all that stood within `range` [m] of it,
-/// itself too, have moved. The displacements are fitted by u = a + H X, least squares weighted by
-/// volume: fines that rattle in the pores then do not hide what the load-bearing grains do. Of the
-/// stretch U, from the polar decomposition of F = 1 + H, the strain is
+/// Deviatoric strain [-] about each of `grains`, from how those that stood within `range` [m] of
+/// it, itself too, have moved. The displacements are fitted by u = a + H X, least squares weighted
+/// by volume and without fines: what rattles in the pores would hide what the load-bearing grains
+/// do, and most grains are fines. Of the stretch U, from the polar decomposition of F = 1 + H, the
+/// strain is
 ///
 ///   e = U - 1,   sqrt(2/3 e':e'),   e' = e - tr(e)/3 1
 ///
@@ -31,6 +35,6 @@ constexpr double strain_unknown = -1.0;
 std::vector<double> local_deviatoric_strain(const std::vector<MovedGrain>& grains, double range);
 
 /// Mean diameter by volume [m], sum of d^4 over sum of d^3; 0 without grains.
-double mean_diameter_by_volume(const std::vector<double>& diameters);
+double mean_diameter_by_volume(const std::vector<MovedGrain>& grains);
 
 }  // namespace encased_column

@@ -4,7 +4,6 @@
 #include "host/gather.h"
 #include "host/stop_run.h"
 #include "measure/local_strain.h"
-#include "measure/sphere_overlap.h"
 #include "output/output_places.h"
 
 #include "memory.h"
@@ -169,15 +168,13 @@ std::vector<GrainRecord> FixOutputGrains::grains_of_all_ranks() const
 void FixOutputGrains::find_strains(std::vector<GrainRecord>& grains) const
 {
   std::vector<MovedGrain> moved;
-  std::vector<double> diameters;
   for (const GrainRecord& grain : grains) {
     const Vec3 displacement = as_vec3(grain.displacement.data());
     moved.push_back(
-        {as_vec3(grain.position.data()) - displacement, displacement, sphere_volume(grain.radius)});
-    diameters.push_back(2.0 * grain.radius);
+        {as_vec3(grain.position.data()) - displacement, displacement, 2.0 * grain.radius});
   }
   const double range =
-      strain_range_ > 0.0 ? strain_range_ : usual_range * mean_diameter_by_volume(diameters);
+      strain_range_ > 0.0 ? strain_range_ : usual_range * mean_diameter_by_volume(moved);
   const std::vector<double> strain = local_deviatoric_strain(moved, range);
   for (std::size_t n = 0; n < grains.size(); ++n) grains[n].deviatoric_strain = strain[n];
 }

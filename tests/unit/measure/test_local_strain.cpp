@@ -22,7 +22,7 @@ std::vector<MovedGrain> grains_moved(const std::function<Vec3(const Vec3&)>& dis
   std::vector<MovedGrain> grains;
   for (int n = 0; n < 600; ++n) {
     const Vec3 x = 0.05 * Vec3(part(random), part(random), part(random));
-    grains.push_back({x, displacement(x), 1e-9 * (1.0 + 100.0 * part(random))});
+    grains.push_back({x, displacement(x), 2e-3 + 2e-3 * part(random)});
   }
   return grains;
 }
@@ -109,33 +109,51 @@ TEST(LocalStrain, IsThereOnlyNearTheSurfaceOnWhichBlocksSlide)
   }
 }
 
-TEST(LocalStrain, LetsRattlingFinesCountByTheirVolume)
+// One grain in three a fine that moves as it likes: it has its value but no say.
+TEST(LocalStrain, IsNotThatOfRattlingFines)
 {
   std::vector<MovedGrain> grains =
       grains_moved([](const Vec3& x) -> Vec3 { return simple_shear(0.3) * x - x; });
-  const std::vector<double> before = local_deviatoric_strain(grains, range);
+  const double expected = local_deviatoric_strain(grains, range).front();
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   for (std::size_t n = 0; n < grains.size(); n += 3) {
-    grains[n].volume = 1e-16;
+    grains[n].diameter = 1e-3;
     grains[n].displacement += 0.005 * Vec3(part(random), part(random), part(random));
   }
-  const std::vector<double> after = local_deviatoric_strain(grains, range);
-  int inside = 0;
-  for (std::size_t n = 0; n < grains.size(); ++n) {
-    const Vec3& x = grains[n].position;
-    if (x.minCoeff() < 0.5 * range || x.maxCoeff() > 0.05 - 0.5 * range) continue;
-    ++inside;
-    EXPECT_NEAR(after[n], before[n], 1e-4);
+  expect_everywhere(local_deviatoric_strain(grains, 1.5 * range), expected, 1e-9);
+}
+
+// A grain has as much say as eight of half the diameter in its place.
+TEST(LocalStrain, WeighsNeighboursByTheirVolume)
+{
+  std::vector<MovedGrain> large = grains_moved(
+      [](const Vec3& x) -> Vec3 { return 40.0 * x.x() * x.z() * Vec3(1.0, 0.5, -0.3); });
+  std::vector<MovedGrain> split;
+  for (std::size_t n = 0; n < large.size(); ++n) {
+    large[n].diameter = n % 2 == 0 ? 2e-3 : 1.2e-3;
+    split.push_back(large[n]);
+    if (n % 2 == 0)
+      for (int part = 0; part < 8; ++part) {
+        split.push_back(large[n]);
+        split.back().diameter = 1e-3;
+      }
+    if (n % 2 == 0) split.erase(split.end() - 9);
   }
-  EXPECT_GT(inside, 100);
+  const std::vector<double> one = local_deviatoric_strain(large, range),
+                            other = local_deviatoric_strain(split, range);
+  std::size_t next = 0;
+  for (std::size_t n = 0; n < large.size(); ++n) {
+    EXPECT_NEAR(other[next], one[n], 1e-10);
+    next += n % 2 == 0 ? 8 : 1;
+  }
 }
 
 TEST(LocalStrain, IsUnknownWhereNeighboursSpanNoVolume)
 {
   std::vector<MovedGrain> plane;
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) plane.push_back({0.004 * Vec3(i, j, 0.0), Vec3::Zero(), 1e-9});
+    for (int j = 0; j < 4; ++j) plane.push_back({0.004 * Vec3(i, j, 0.0), Vec3::Zero(), 3e-3});
   for (const double strain : local_deviatoric_strain(plane, range))
     EXPECT_EQ(strain, strain_unknown);
   plane.resize(1);
@@ -146,6 +164,8 @@ TEST(LocalStrain, IsUnknownWhereNeighboursSpanNoVolume)
 TEST(MeanDiameter, ByVolumeIsThatOfTheGrainAMeanBitOfSolidLiesIn)
 {
   // 8 grains of 1 mm and one of 2 mm share the volume evenly
-  EXPECT_DOUBLE_EQ(mean_diameter_by_volume({1, 1, 1, 1, 1, 1, 1, 1, 2}), 1.5);
+  std::vector<MovedGrain> grains(9, {Vec3::Zero(), Vec3::Zero(), 1e-3});
+  grains.back().diameter = 2e-3;
+  EXPECT_DOUBLE_EQ(mean_diameter_by_volume(grains), 1.5e-3);
   EXPECT_EQ(mean_diameter_by_volume({}), 0.0);
 }
