@@ -10,7 +10,7 @@ namespace encased_column {
 ENCASE_VECTOR_UNITS
 double ContactRow::resolve(double dt, double step, bool advance)
 {
-  const double moves = advance ? 1.0 : 0.0, way = advance ? dt : 0.0;
+  const double moves = advance ? 1.0 : 0.0, stays = 1.0 - moves, way = advance ? dt : 0.0;
   const double slack = slider_slack(advance);
   double loss = 0.0;
 #pragma omp simd reduction(+ : loss)
@@ -57,9 +57,10 @@ double ContactRow::resolve(double dt, double step, bool advance)
     const double kx = part * tx, ky = part * ty, kz = part * tz;
     loss += share_[n] * 0.5 * k_t *
             ((sx + kx) * (tx - kx) + (sy + ky) * (ty - ky) + (sz + kz) * (tz - kz));
-    spring_[0][n] = advance ? kx : tx;
-    spring_[1][n] = advance ? ky : ty;
-    spring_[2][n] = advance ? kz : tz;
+    // As sums: a choice by `advance` keeps the compiler from the vector units.
+    spring_[0][n] = moves * kx + stays * tx;
+    spring_[1][n] = moves * ky + stays * ty;
+    spring_[2][n] = moves * kz + stays * tz;
 
     const double fx = -k_t * kx, fy = -k_t * ky, fz = -k_t * kz;
     force_[0][n] = fx - pressing * nx;
