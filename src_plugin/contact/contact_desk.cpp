@@ -68,18 +68,10 @@ void ContactDesk::tell_probes(const ContactRow& row)
 {
   for (int n = 0; n < row.count(); ++n) {
     const ContactStiffness k = row.stiffness(n);
-    const Contact contact{row.i(n),
-                          row.j(n),
-                          row.normal(n),
-                          row.force(n),
-                          row.arm_i(n),
-                          row.distance(n),
-                          k.normal,
-                          k.shear,
-                          row.stored_energy(n),
-                          row.share(n),
-                          row.is_sliding(n),
-                          kind_of(row.j(n))};
+    const Contact contact{row.i(n),     row.j(n),          row.normal(n),
+                          row.force(n), row.arm_i(n),      row.distance(n),
+                          k.normal,     k.shear,           row.stored_energy(n),
+                          row.share(n), row.is_sliding(n), kind_of(row.j(n))};
     for (ContactProbe* probe : active_) probe->add_contact(contact);
   }
 }

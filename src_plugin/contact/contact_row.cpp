@@ -18,7 +18,8 @@ double ContactRow::resolve(double dt, double step, bool advance)
     const double ax = normal_[0][n], ay = normal_[1][n], az = normal_[2][n];
     const double r_i = radius_i_[n], r_j = radius_j_[n], length = r_i + r_j;
     const double distance = std::sqrt(ax * ax + ay * ay + az * az);
-    const double overlap = length - distance;
+    // A first touch is as small as round-off, which must neither pull nor divide zero by zero.
+    const double overlap = length > distance ? length - distance : 0.0;
     const double nx = ax / distance, ny = ay / distance, nz = az / distance;
     normal_[0][n] = nx;
     normal_[1][n] = ny;

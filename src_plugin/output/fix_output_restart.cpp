@@ -12,7 +12,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-
 namespace encased_column {
 
 const KeywordTable FixOutputRestart::keywords{

@@ -13,8 +13,8 @@ namespace {
 
 Vec3 damped(const Vec3& load, const Vec3& velocity, double alpha)
 {
-  return load.binaryExpr(velocity,
-                         [alpha](double f, double v) { return encased_column::damped(f, v, alpha); });
+  return load.binaryExpr(
+      velocity, [alpha](double f, double v) { return encased_column::damped(f, v, alpha); });
 }
 
 }  // namespace

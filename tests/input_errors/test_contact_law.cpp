@@ -76,4 +76,3 @@ run      1
                  "'neighbor' must take the style 'bin', found 'multi', with which the host finds "
                  "no contacts, write for example 'neighbor 0.0005 bin'");
 }
-

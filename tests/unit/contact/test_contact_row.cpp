@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 #include <vector>
 
@@ -121,4 +122,21 @@ TEST(ContactRow, RepeatsTheForcesOfAStepToTheLastBit)
     }
     if (advance) row.keep(10.0);
   }
+}
+
+// Round-off may put the center of a grain that just touches a wall beyond its radius.
+TEST(ContactRow, PressesWithNothingWhereRoundOffLeavesNoOverlap)
+{
+  std::array<double, memory_size> memory{0.0, 0.0, 0.0, -1.0};
+  const double radius = 1e-3;
+  const Vec3 normal(1.0, 0.0, 0.0);
+  const ContactBody rest{radius, Vec3::Zero(), Vec3::Zero()};
+  ContactRow row;
+  row.add(0, -1, 1.0, {7e6, 3.5, 0.8}, radius * (1.0 + 4e-16) * normal, rest,
+          {0.0, Vec3::Zero(), Vec3::Zero()}, memory.data());
+  const double loss = row.resolve(1e-6, 10.0, true);
+  row.keep(10.0);
+  EXPECT_EQ(row.force(0), Vec3(0.0, 0.0, 0.0));
+  EXPECT_EQ(loss, 0.0);
+  EXPECT_EQ(memory[0], 0.0);
 }
