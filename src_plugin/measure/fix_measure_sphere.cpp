@@ -2,6 +2,7 @@
 
 #include "core/input_error.h"
 #include "host/rank_sums.h"
+#include "host/restart_block.h"
 #include "host/stop_run.h"
 #include "measure/sphere_overlap.h"
 #include "output/output_places.h"
@@ -9,7 +10,6 @@
 #include "servo/find_platens.h"
 
 #include <algorithm>
-#include <cstring>
 #include <type_traits>
 
 namespace encased_column {
@@ -309,27 +309,18 @@ void FixMeasureSphere::write_restart(FILE* file)
   std::vector<double> numbers{clock_.now()};
   for (const std::vector<double>& row : rows_)
     numbers.insert(numbers.end(), row.begin(), row.end());
-  const std::string text = series_ ? series_->saved() : "";
-  const int size = static_cast<int>(numbers.size() * sizeof(double) + text.size() + 1);
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(numbers.data(), sizeof(double), numbers.size(), file);
-  fwrite(text.c_str(), 1, text.size() + 1, file);
+  write_block(file, numbers, series_ ? series_->saved() : "");
 }
 
 void FixMeasureSphere::restart(char* buffer)
 {
-  const auto take = [&buffer](double* numbers, std::size_t count) {
-    std::memcpy(numbers, buffer, count * sizeof(double));
-    buffer += count * sizeof(double);
-  };
-  double time;
-  take(&time, 1);
-  for (std::vector<double>& row : rows_) take(row.data(), row.size());
-  clock_.restart(time);
+  RestartBlock block(buffer);
+  clock_.restart(block.take());
+  for (std::vector<double>& row : rows_) block.take(row.data(), row.size());
   sampled_ = true;
   if (comm->me != 0) return;
   if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop(file_.path());
-  if (series_ && !series_->restore(buffer))
+  if (series_ && !series_->restore(block.text()))
     stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
 }
 

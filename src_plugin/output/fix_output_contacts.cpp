@@ -4,11 +4,11 @@
 #include "core/read_number.h"
 #include "host/gather.h"
 #include "host/rank_sums.h"
+#include "host/restart_block.h"
 #include "host/stop_run.h"
 #include "output/output_places.h"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 #include <tuple>
 
@@ -206,29 +206,21 @@ void FixOutputContacts::write_restart(FILE* file)
   if (comm->me != 0) return;
   std::vector<double> numbers{clock_.now(), static_cast<double>(row_.size())};
   numbers.insert(numbers.end(), row_.begin(), row_.end());
-  const std::string text = series_->saved();
-  const int size = static_cast<int>(numbers.size() * sizeof(double) + text.size() + 1);
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(numbers.data(), sizeof(double), numbers.size(), file);
-  fwrite(text.c_str(), 1, text.size() + 1, file);
+  write_block(file, numbers, series_->saved());
 }
 
 void FixOutputContacts::restart(char* buffer)
 {
-  const auto take = [&buffer](double* numbers, std::size_t count) {
-    std::memcpy(numbers, buffer, count * sizeof(double));
-    buffer += count * sizeof(double);
-  };
-  double head[2];
-  take(head, 2);
-  clock_.restart(head[0]);
-  std::vector<double> row(static_cast<std::size_t>(head[1]));
-  take(row.data(), row.size());
+  RestartBlock block(buffer);
+  clock_.restart(block.take());
+  std::vector<double> row(static_cast<std::size_t>(block.take()));
+  block.take(row.data(), row.size());
   if (row.size() == row_.size()) row_ = row;
   written_ = true;
   if (comm->me != 0) return;
   if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop(file_.path());
-  if (!series_->restore(buffer)) stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+  if (!series_->restore(block.text()))
+    stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
 }
 
 }  // namespace encased_column

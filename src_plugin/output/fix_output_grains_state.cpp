@@ -1,12 +1,10 @@
 // What `fix output/grains` keeps with each grain and with the run: moves, copies and restarts.
 #include "output/fix_output_grains.h"
 
+#include "host/restart_block.h"
 #include "memory.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
-#include <sstream>
 
 namespace encased_column {
 
@@ -54,25 +52,18 @@ void FixOutputGrains::unpack_restart(int i, int nth)
   std::copy_n(values + 1, values_per_grain, motion_[i]);
 }
 
-/// The time now in a line, then the series, ended by a zero byte.
+/// The time, then the series.
 void FixOutputGrains::write_restart(FILE* file)
 {
-  if (comm->me != 0) return;
-  std::ostringstream head;
-  head.precision(17);
-  head << clock_.now() << '\n';
-  const std::string text = head.str() + series_->saved();
-  const int bytes = static_cast<int>(text.size() + 1);
-  std::fwrite(&bytes, sizeof bytes, 1, file);
-  std::fwrite(text.c_str(), 1, text.size() + 1, file);
+  if (comm->me == 0) write_block(file, {clock_.now()}, series_->saved());
 }
 
 void FixOutputGrains::restart(char* buffer)
 {
-  const char* const series = std::strchr(buffer, '\n') + 1;
-  clock_.restart(std::strtod(buffer, nullptr));
-  written_ = *series != '\0';
-  if (comm->me == 0 && !series_->restore(series))
+  RestartBlock block(buffer);
+  clock_.restart(block.take());
+  written_ = *block.text() != '\0';
+  if (comm->me == 0 && !series_->restore(block.text()))
     stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
 }
 

@@ -2,12 +2,12 @@
 
 #include "core/input_error.h"
 #include "host/find_fix.h"
+#include "host/restart_block.h"
 #include "host/stop_run.h"
 #include "output/output_places.h"
 #include "output/vtk_sleeve_writer.h"
 #include "shell/fix_mesh_surface_shell.h"
 
-#include <cstring>
 #include <numeric>
 
 namespace encased_column {
@@ -127,27 +127,20 @@ void FixOutputSleeve::stop(const std::string& path) const
 void FixOutputSleeve::write_restart(FILE* file)
 {
   if (comm->me != 0) return;
-  const double head[3] = {clock_.now(), height_before_, static_cast<double>(before_.size())};
-  const std::string text = series_->saved();
-  const std::size_t bytes = sizeof(head) + before_.size() * sizeof(Vec3) + text.size() + 1;
-  const int size = static_cast<int>(bytes);
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(head, sizeof(double), 3, file);
-  fwrite(before_.data(), sizeof(Vec3), before_.size(), file);
-  fwrite(text.c_str(), 1, text.size() + 1, file);
+  std::vector<double> numbers{clock_.now(), height_before_, static_cast<double>(before_.size())};
+  for (const Vec3& node : before_) numbers.insert(numbers.end(), node.data(), node.data() + 3);
+  write_block(file, numbers, series_->saved());
 }
 
 void FixOutputSleeve::restart(char* buffer)
 {
-  double head[3];
-  std::memcpy(head, buffer, sizeof(head));
-  clock_.restart(head[0]);
-  height_before_ = head[1];
-  before_.resize(static_cast<std::size_t>(head[2]));
-  std::memcpy(static_cast<void*>(before_.data()), buffer + sizeof(head),
-              before_.size() * sizeof(Vec3));
+  RestartBlock block(buffer);
+  clock_.restart(block.take());
+  height_before_ = block.take();
+  before_.resize(static_cast<std::size_t>(block.take()));
+  for (Vec3& node : before_) block.take(node.data(), 3);
   if (comm->me != 0) return;
-  if (!series_->restore(buffer + sizeof(head) + before_.size() * sizeof(Vec3)))
+  if (!series_->restore(block.text()))
     stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
   const double step = static_cast<double>(update->ntimestep);
   if (!profile_.go_back_to(step)) stop(profile_.path());
