@@ -181,6 +181,7 @@ std::string filled(const char* page, PageData data)
   const auto part = [&data](const std::string& name, const char* text) {
     data.set(name, PageData{kainjow::mustache::partial{[text] { return std::string(text); }}});
   };
+  part("opening", page_templates::opening);
   part("table", page_templates::table);
   part("figure", page_templates::figure);
   part("pictures", page_templates::pictures);
