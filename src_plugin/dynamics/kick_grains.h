@@ -20,7 +20,7 @@ struct RowKick {
   double fastest;  ///< square of the largest component of a velocity after it [m^2/s^2]
 };
 
-/// Half a step `half_step` [s] of damped force and moment on all grains of a row: half_kick() of
+/// Half a step `half_step` [s] of damped force and moment on all grains of a row: kick() of
 /// local_damping.h with the vector units of the machine. Velocities and spins are the same on every
 /// machine to the last bit; the loss is to the order of its sum (1e-14).
 RowKick kick_grains(const GrainRow& row, double alpha, double half_step);

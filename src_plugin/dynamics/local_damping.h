@@ -16,11 +16,11 @@ inline double damped(double force, double velocity, double alpha)
   return velocity == 0.0 ? force : force - resisted;
 }
 
-/// Half a step of the three components of `force` (or moment): speeds `velocity` up by the damped
-/// force and returns the work [J] the damping took out. `rate` is half the step over the inertia.
-/// The work is exact: damping force times the mean velocity of the half step times its length.
-inline double half_kick(const double* force, double alpha, double rate, double half_step,
-                        double* velocity)
+/// The three components of `force` (or moment) for a time `span` [s], half a step of a grain or a
+/// step of a node: speeds `velocity` up by the damped force and returns the work [J] the damping
+/// took out. `rate` is the span over the inertia. The work is exact: damping force times the mean
+/// velocity of the span times its length.
+inline double kick(const double* force, double alpha, double rate, double span, double* velocity)
 {
   double work[3];  // apart, so that one component need not wait for the sum of the others
   for (int a = 0; a < 3; ++a) {
@@ -29,7 +29,7 @@ inline double half_kick(const double* force, double alpha, double rate, double h
     velocity[a] += rate * acting;
     work[a] = (force[a] - acting) * (before + velocity[a]);
   }
-  return 0.5 * half_step * (work[0] + work[1] + work[2]);
+  return 0.5 * span * (work[0] + work[1] + work[2]);
 }
 
 }  // namespace encased_column

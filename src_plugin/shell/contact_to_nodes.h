@@ -4,18 +4,17 @@
 
 #include <array>
 
-#include <Eigen/LU>
-
 namespace encased_column {
 
 /// How a force at a point on or over a facet reaches its nodes, and how the facet moves there.
 ///
 /// Area coordinates of the point's foot share out the force. The remaining moment (one that comes
 /// with the force, and that of the point's height over the facet) becomes forces a x (x_i - c)
-/// about the facet's centre c, the smallest that will do: (sum |r|^2 I - r r^T) a = moment. Forces
-/// only: a sleeve without bending stiffness could not take nodal moments, and none resists a turn
-/// about the normal. Velocity and spin are the same map read backwards, so that the power of the
-/// nodal forces is exactly force . velocity + moment . spin: else friction would make energy.
+/// about the facet's centre c, the smallest that will do: (sum |r|^2 I - r r^T) a = moment, with
+/// r = x_i - c. Forces only: a sleeve without bending stiffness could not take nodal moments, and
+/// none resists a turn about the normal. Velocity and spin are the same map read backwards, so that
+/// the power of the nodal forces is exactly force . velocity + moment . spin: else friction would
+/// make energy.
 class FacetLever {
  public:
   FacetLever(const std::array<Vec3, 3>& corner, const Vec3& point)
@@ -24,22 +23,24 @@ class FacetLever {
     const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
     const double square = normal.squaredNorm();
     height_ = point - center;
-    Mat3 spread = Mat3::Zero();
+    double spread = 0.0;
     for (int i = 0; i < 3; ++i) {
       arm_[i] = corner[i] - center;
       const Vec3 side = corner[(i + 2) % 3] - corner[(i + 1) % 3];
       weight_(i) = 1.0 / 3.0 + normal.cross(side).dot(point - center) / square;
       height_ -= weight_(i) * arm_[i];
-      spread += arm_[i].squaredNorm() * Mat3::Identity() - arm_[i] * arm_[i].transpose();
+      spread += arm_[i].squaredNorm();
     }
-    inverse_spread_ = spread.inverse();
+    normal_ = normal;
+    in_plane_ = 3.0 / square;
+    across_ = 1.0 / (square * spread);
   }
 
   /// Nodal forces [N] whose sum is `force` and whose moment about any point is that of `force` [N]
   /// at the point plus `moment` [N m].
   std::array<Vec3, 3> nodal_forces(const Vec3& force, const Vec3& moment) const
   {
-    const Vec3 turn = inverse_spread_ * (moment + height_.cross(force));
+    const Vec3 turn = turn_by(moment + height_.cross(force));
     std::array<Vec3, 3> out;
     for (int i = 0; i < 3; ++i) out[i] = weight_(i) * force + turn.cross(arm_[i]);
     return out;
@@ -48,7 +49,7 @@ class FacetLever {
   /// Spin [rad/s] of the facet whose nodes move with `v` [m/s]: the least squares one.
   Vec3 spin(const std::array<Vec3, 3>& v) const
   {
-    return inverse_spread_ * (arm_[0].cross(v[0]) + arm_[1].cross(v[1]) + arm_[2].cross(v[2]));
+    return turn_by(arm_[0].cross(v[0]) + arm_[1].cross(v[1]) + arm_[2].cross(v[2]));
   }
 
   /// Velocity [m/s] of the facet at the point, with that spin.
@@ -58,9 +59,21 @@ class FacetLever {
   }
 
  private:
+  /// (sum |r|^2 I - r r^T)^-1 times a vector. In the facet's plane that matrix is the adjugate of
+  /// S = sum r r^T, so its inverse is S / det S; the arms of a centroid make pairs of equal area,
+  /// so that det S = 3 (2 A / 3)^2. Along the normal it is sum |r|^2.
+  Vec3 turn_by(const Vec3& moment) const
+  {
+    Vec3 sum = (across_ * normal_.dot(moment)) * normal_;
+    for (const Vec3& r : arm_) sum += (in_plane_ * r.dot(moment)) * r;
+    return sum;
+  }
+
   std::array<Vec3, 3> arm_;
   Vec3 weight_, height_;  ///< area coordinates of the foot; from the foot to the point [m]
-  Mat3 inverse_spread_;   ///< [1/m^2]
+  Vec3 normal_;           ///< of length 2 A [m^2]
+  double in_plane_;       ///< 1 / det S [1/m^4]
+  double across_;         ///< 1 / (4 A^2 sum |r|^2) [1/m^6]
 };
 
 /// The three nodal forces [N] that equal `force` [N] at `point` [m] together with `moment` [N m].

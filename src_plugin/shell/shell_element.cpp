@@ -31,9 +31,9 @@ ShellElement::ShellElement(const FacetVectors& corner, const Vec3& axis,
 {
   const Vec3 side = corner[1] - corner[0];
   const Vec3 twice_area = side.cross(corner[2] - corner[0]);
-  area_ = 0.5 * twice_area.norm();
-  if (!(area_ > 1e-12 * side.squaredNorm()))
-    throw InputError("facet of the shell has no area, found " + in_words(area_) +
+  reference_.area = 0.5 * twice_area.norm();
+  if (!(reference_.area > 1e-12 * side.squaredNorm()))
+    throw InputError("facet of the shell has no area, found " + in_words(reference_.area) +
                      " m2: remove it from the mesh");
   normal_ = twice_area.normalized();
   axial_ = axis - normal_.dot(axis) * normal_;
@@ -41,22 +41,16 @@ ShellElement::ShellElement(const FacetVectors& corner, const Vec3& axis,
   axial_.normalize();
   hoop_ = axial_.cross(normal_);
   const Triangle2 plane = in_plane(corner, hoop_, axial_);
-  gradient_ = area_coordinate_gradients(plane);
-  bending_ = dkt_tilt_stiffness(plane, material.bending());
-}
-
-CorotationalFrame ShellElement::frame(const FacetVectors& x) const
-{
-  // The gradients sum to zero, so differences to the first node do; they also keep the digits.
-  const Vec3 a = x[1] - x[0], b = x[2] - x[0];
-  return {gradient_(0, 1) * a + gradient_(0, 2) * b, gradient_(1, 1) * a + gradient_(1, 2) * b};
+  reference_.gradient = area_coordinate_gradients(plane);
+  reference_.bending = dkt_tilt_stiffness(plane, material.bending());
 }
 
 Triangle2 ShellElement::reference_corners() const
 {
   // Each side is the gradient of the area coordinate opposite, turned and scaled by twice the area.
   const auto side = [this](int opposite) -> Vec2 {
-    return 2.0 * area_ * Vec2(gradient_(1, opposite), -gradient_(0, opposite));
+    return 2.0 * reference_.area *
+           Vec2(reference_.gradient(1, opposite), -reference_.gradient(0, opposite));
   };
   Triangle2 corner;
   corner << Vec2::Zero(), side(2), -side(1);
@@ -66,50 +60,23 @@ Triangle2 ShellElement::reference_corners() const
 FacetLoads ShellElement::loads(const ShellMaterial& material, const FacetVectors& x,
                                const FacetRotations& r) const
 {
-  const CorotationalFrame frame = this->frame(x);
-  const PlaneVector strain = membrane_strain(frame);
-  const PlaneVector n = material.membrane_force(strain);
-  const MembranePull pull(frame, n);
-  Vec3 p1 = area_ * pull.p1, p2 = area_ * pull.p2;
-
-  FacetLoads out;
-  out.energy = area_ * ShellMaterial::membrane_energy(strain, n);
-  if (material.bends()) {
-    const FacetVectors director{frame.to_local(r[0] * normal_), frame.to_local(r[1] * normal_),
-                                frame.to_local(r[2] * normal_)};
-    const std::array<DirectorTilt, 3> tilt{DirectorTilt(director[0]), DirectorTilt(director[1]),
-                                           DirectorTilt(director[2])};
-    Tilts tilts;
-    tilts << tilt[0].x, tilt[0].y, tilt[1].x, tilt[1].y, tilt[2].x, tilt[2].y;
-    const Tilts slope = bending_ * tilts;
-    out.energy += 0.5 * tilts.dot(slope);
-    Vec3 sum = Vec3::Zero();
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 conjugate = tilt[i].work_conjugate(director[i], slope(2 * i), slope(2 * i + 1));
-      out.moment[i] = -frame.to_global(conjugate);
-      sum += conjugate;
-    }
-    // The frame turns with the nodes; its spin about e1, e2 follows from the rise of g1, g2 along
-    // e3, its spin about e3 from the polar rotation. The conjugate of that spin is -sum.
-    const double inverse = 1.0 / frame.area_ratio, about = sum.z() / frame.trace();
-    p1 += inverse * (sum.x() * frame.u12 + sum.y() * frame.u22) * frame.e3 - about * frame.e2;
-    p2 -= inverse * (sum.x() * frame.u11 + sum.y() * frame.u12) * frame.e3 - about * frame.e1;
-  } else {
-    out.moment.fill(Vec3::Zero());
-  }
-  for (int i = 1; i < 3; ++i) out.force[i] = -gradient_(0, i) * p1 - gradient_(1, i) * p2;
-  out.force[0] = -(out.force[1] + out.force[2]);
-  return out;
+  const FacetVectors director{r[0] * normal_, r[1] * normal_, r[2] * normal_};
+  const auto force = [&material](const PlaneVector& strain) {
+    return material.membrane_force(strain);
+  };
+  return material.bends() ? facet_loads<true>(reference_, x, director, force)
+                          : facet_loads<false>(reference_, x, director, force);
 }
 
 FacetState ShellElement::state(const ShellMaterial& material, const FacetVectors& x,
                                const FacetRotations& r) const
 {
-  const CorotationalFrame frame = this->frame(x);
+  const CorotationalFrame frame = frame_at(reference_, x);
   FacetState out;
   out.strain = membrane_strain(frame);
   out.membrane_force = material.membrane_force(out.strain);
-  out.membrane_energy = area_ * ShellMaterial::membrane_energy(out.strain, out.membrane_force);
+  out.membrane_energy =
+      reference_.area * ShellMaterial::membrane_energy(out.strain, out.membrane_force);
   out.area_ratio = frame.area_ratio;
   const double mean = 0.5 * (out.strain(0) + out.strain(1));
   const double radius = 0.5 * std::hypot(out.strain(0) - out.strain(1), out.strain(2));
@@ -125,32 +92,33 @@ FacetState ShellElement::state(const ShellMaterial& material, const FacetVectors
   }
   out.curvature = dkt_curvature(reference_corners(), Vec3::Constant(1.0 / 3.0)) * plate;
   out.moment = material.bending() * out.curvature;
-  out.bending_energy = 0.5 * tilts.dot(bending_ * tilts);
+  out.bending_energy = 0.5 * tilts.dot(reference_.bending * tilts);
   return out;
 }
 
 double ShellElement::gyration_square(const ShellMaterial& material) const
 {
   const double t = material.constants().thickness;
-  return std::max(t * t / 12.0, area_share * area_);
+  return std::max(t * t / 12.0, area_share * reference_.area);
 }
 
 StiffnessBound ShellElement::stiffness_bound(const ShellMaterial& material,
                                              const FacetVectors& x) const
 {
-  const CorotationalFrame frame = this->frame(x);
+  const CorotationalFrame frame = frame_at(reference_, x);
   const PlaneVector n = material.membrane_force(membrane_strain(frame));
   const Mat3& d = material.membrane();
 
   // Largest eigenvalue of sum_a grad_a grad_a^T.
-  const Mat2 spread = gradient_ * gradient_.transpose();
+  const Mat2 spread = reference_.gradient * reference_.gradient.transpose();
   const double spread_bound =
       0.5 * spread.trace() + std::hypot(0.5 * (spread(0, 0) - spread(1, 1)), spread(0, 1));
   // In its plane: the law on symmetric parts of the gradient (shear counts twice: two components
   // make one angle), the tension on the antisymmetric one.
   const double direct = 0.5 * (d(0, 0) + d(1, 1)) + std::hypot(0.5 * (d(0, 0) - d(1, 1)), d(0, 1));
   const double turning = (n(0) + n(1)) / frame.trace();
-  const double in_plane = area_ * spread_bound * std::max({direct, 2.0 * d(2, 2), turning});
+  const double in_plane =
+      reference_.area * spread_bound * std::max({direct, 2.0 * d(2, 2), turning});
 
   // Across it: pre-tension U^-1 N (largest principal value, bounded by the sum of the parts), and
   // bending through the tilts and the turn of the facet.
@@ -158,7 +126,7 @@ StiffnessBound ShellElement::stiffness_bound(const ShellMaterial& material,
   const double tension = std::max(0.0, 0.5 * (n(0) + n(1)) + std::hypot(0.5 * (n(0) - n(1)), n(2)));
   const double smallest_stretch =
       0.5 * frame.trace() - std::hypot(0.5 * (frame.u11 - frame.u22), frame.u12);
-  double across = area_ * spread_bound * tension / std::max(smallest_stretch, 1e-3);
+  double across = reference_.area * spread_bound * tension / std::max(smallest_stretch, 1e-3);
 
   const double square = gyration_square(material);
   double bending = 0.0;
@@ -167,7 +135,7 @@ StiffnessBound ShellElement::stiffness_bound(const ShellMaterial& material,
     Eigen::Matrix<double, 6, 9> to_tilt = Eigen::Matrix<double, 6, 9>::Zero();
     const double length = std::sqrt(square);
     for (int a = 0; a < 3; ++a) {
-      const double g1 = gradient_(0, a), g2 = gradient_(1, a);
+      const double g1 = reference_.gradient(0, a), g2 = reference_.gradient(1, a);
       const double spin_x = inverse * (frame.u11 * g2 - frame.u12 * g1);
       const double spin_y = inverse * (frame.u12 * g2 - frame.u22 * g1);
       for (int i = 0; i < 3; ++i) {
@@ -177,7 +145,7 @@ StiffnessBound ShellElement::stiffness_bound(const ShellMaterial& material,
       to_tilt(2 * a, 3 + 2 * a) = 1.0 / length;
       to_tilt(2 * a + 1, 4 + 2 * a) = 1.0 / length;
     }
-    const PlateStiffness whole = to_tilt.transpose() * bending_ * to_tilt;
+    const PlateStiffness whole = to_tilt.transpose() * reference_.bending * to_tilt;
     Eigen::SelfAdjointEigenSolver<PlateStiffness> solver(whole, Eigen::EigenvaluesOnly);
     bending = solver.eigenvalues()(8);
   }

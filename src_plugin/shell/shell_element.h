@@ -1,24 +1,9 @@
 #pragma once
 
-#include "shell/corotational_frame.h"
-#include "shell/cst_membrane.h"
-#include "shell/dkt_bending.h"
+#include "shell/facet_loads.h"
 #include "shell/shell_material.h"
 
-#include <array>
-
 namespace encased_column {
-
-/// Three vectors, one per node of a facet.
-using FacetVectors = std::array<Vec3, 3>;
-using FacetRotations = std::array<Mat3, 3>;
-
-/// What a facet does to its nodes.
-struct FacetLoads {
-  FacetVectors force;   ///< [N]
-  FacetVectors moment;  ///< about the node, global axes [N m]
-  double energy;        ///< membrane and bending [J]
-};
 
 /// What a user looks at; material axes (hoop, axial), forces per reference length.
 struct FacetState {
@@ -48,7 +33,8 @@ class ShellElement {
   /// Throws InputError for a facet without area.
   ShellElement(const FacetVectors& corner, const Vec3& axis, const ShellMaterial& material);
 
-  double area() const { return area_; }
+  double area() const { return reference_.area; }
+  const FacetReference& reference() const { return reference_; }
   const Vec3& normal() const { return normal_; }
   const Vec3& hoop_direction() const { return hoop_; }
   const Vec3& axial_direction() const { return axial_; }
@@ -70,13 +56,10 @@ class ShellElement {
   double gyration_square(const ShellMaterial& material) const;
 
  private:
-  CorotationalFrame frame(const FacetVectors& x) const;
   Triangle2 reference_corners() const;  ///< material axes, the first at the origin [m]
 
   Vec3 normal_, hoop_, axial_;
-  double area_;
-  Triangle2 gradient_;     ///< of the area coordinates, material axes [1/m]
-  TiltStiffness bending_;  ///< [N m/rad]
+  FacetReference reference_;
 };
 
 }  // namespace encased_column

@@ -44,6 +44,7 @@ ShellModel::ShellModel(const SurfaceMesh& mesh, const ShellConstants& constants,
       inertia_[node] += share * element.gyration_square(material_);
     }
   }
+  rows_ = FacetRows(facet_, element_, material_);
   true_mass_ = mass_;
   true_inertia_ = inertia_;
 }
@@ -91,6 +92,9 @@ FacetState ShellModel::facet_state(int facet) const
 
 double ShellModel::add_internal_loads(int first, int last)
 {
+  if (material_.bends() && !material_.constants().tension_only)
+    return rows_.add_loads(first, last, position_.data(), rotation_matrix_.data(), load_.data(),
+                           load_.data() + nodes());
   double energy = 0.0;
   for (int f = first; f < last; ++f) {
     const FacetLoads loads = element_[f].loads(material_, corners(f), corner_rotations(f));
@@ -109,9 +113,9 @@ StepWork ShellModel::advance(double dt, double alpha)
   for (int i = 0; i < nodes(); ++i) {
     velocity_before_[i] = velocity_[i];
     spin_before_[i] = angular_velocity_[i];
-    velocity_[i] += dt / mass_[i] * damped(force(i), velocity_[i], alpha);
-    angular_velocity_[i] += dt / inertia_[i] * damped(moment(i), angular_velocity_[i], alpha);
-    work.damping += damping_work(i, dt, alpha, Mat3::Identity(), Mat3::Identity());
+    work.damping +=
+        kick(force(i).data(), alpha, dt / mass_[i], dt, velocity_[i].data()) +
+        kick(moment(i).data(), alpha, dt / inertia_[i], dt, angular_velocity_[i].data());
   }
   for (Support& support : support_) {
     const int i = support.node;

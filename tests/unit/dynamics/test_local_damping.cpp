@@ -23,13 +23,13 @@ TEST(LocalDamping, LeavesSteadyMotionAndABodyAtRestAlone)
 }
 
 // Work of the force is kinetic energy plus loss, whatever the step and the signs.
-TEST(HalfKick, AccountsForTheWorkOfTheForceToRoundOff)
+TEST(Kick, AccountsForTheWorkOfTheForceToRoundOff)
 {
   const double mass = 0.3, half_step = 0.01;
   for (const double before : {2.0, -2.0, 0.0, 1e-3}) {
     const double force[3] = {5.0, -5.0, 0.0};
     double velocity[3] = {before, before, before};
-    const double loss = half_kick(force, 0.7, half_step / mass, half_step, velocity);
+    const double loss = kick(force, 0.7, half_step / mass, half_step, velocity);
     double work = 0.0, kinetic = 0.0;
     for (int a = 0; a < 3; ++a) {
       work += force[a] * 0.5 * (before + velocity[a]) * half_step;
@@ -41,19 +41,19 @@ TEST(HalfKick, AccountsForTheWorkOfTheForceToRoundOff)
 
 // Released at rest at x0, a mass on a spring feels (1 - alpha) k x on its way to the middle and
 // (1 + alpha) k x beyond: (1 - alpha) x0^2 = (1 + alpha) x1^2.
-TEST(HalfKick, ShrinksTheSwingOfASpringAsItsEnergyBalanceSays)
+TEST(Kick, ShrinksTheSwingOfASpringAsItsEnergyBalanceSays)
 {
   for (const double alpha : {0.2, 0.7}) {
     const double mass = 2.0, stiffness = 50.0, dt = 1e-4 * std::sqrt(mass / stiffness);
     double x = 1.0, v[3] = {0.0, 0.0, 0.0};
-    const auto kick = [&] {
+    const auto half_kick = [&] {
       const double force[3] = {-stiffness * x, 0.0, 0.0};
-      half_kick(force, alpha, 0.5 * dt / mass, 0.5 * dt, v);
+      kick(force, alpha, 0.5 * dt / mass, 0.5 * dt, v);
     };
     do {
-      kick();
+      half_kick();
       x += dt * v[0];
-      kick();
+      half_kick();
     } while (v[0] < 0.0);
     EXPECT_NEAR(x * x, (1.0 - alpha) / (1.0 + alpha), 1e-3) << "at alpha = " << alpha;
   }

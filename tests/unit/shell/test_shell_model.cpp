@@ -82,6 +82,26 @@ TEST(ShellModel, LoadsOfTwoRangesOfFacetsAreThoseOfAll)
     EXPECT_LT((whole.load()[i] - parts.load()[i]).norm(), 1e-13 * whole.load()[0].norm());
 }
 
+TEST(ShellModel, FacetsSideBySideLoadTheNodesAsOneByOne)
+{
+  ShellModel model = shaken_tube(0.3, 0.0);
+  std::vector<Vec3> expected(2 * model.nodes(), Vec3::Zero());
+  double energy = 0.0, largest = 0.0;
+  for (int f = 0; f < model.facets(); ++f) {
+    const FacetLoads loads =
+        model.element()[f].loads(model.material(), model.corners(f), model.corner_rotations(f));
+    for (int i = 0; i < 3; ++i) {
+      expected[model.facet()[f][i]] += loads.force[i];
+      expected[model.nodes() + model.facet()[f][i]] += loads.moment[i];
+      largest = std::max(largest, loads.force[i].norm());
+    }
+    energy += loads.energy;
+  }
+  EXPECT_NEAR(model.add_internal_loads(0, model.facets()) / energy, 1.0, 1e-13);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_LT((model.load()[i] - expected[i]).norm(), 1e-13 * largest);
+}
+
 TEST(ShellModel, RigidTurnOfTheWholeTubeLoadsNoNode)
 {
   ShellModel model(small_tube(), geotextile(), Vec3::UnitZ());
