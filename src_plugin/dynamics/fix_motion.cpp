@@ -86,7 +86,7 @@ void FixMotion::read_free_speed(const Options& options)
 int FixMotion::setmask()
 {
   using namespace LAMMPS_NS::FixConst;
-  return INITIAL_INTEGRATE | PRE_FORCE | FINAL_INTEGRATE;
+  return INITIAL_INTEGRATE | PRE_FORCE | FINAL_INTEGRATE | POST_RUN;
 }
 
 void FixMotion::init()
@@ -187,6 +187,7 @@ void FixMotion::add_contact(const Contact& contact)
 // the first step uses is taken at its start.
 void FixMotion::setup(int)
 {
+  find_onlookers();
   if (anew_) look_anew();
 }
 

@@ -30,6 +30,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   void initial_integrate(int) override;
   void pre_force(int) override;
   void final_integrate() override;
+  void post_run() override { finish_step(); }
   int modify_param(int narg, char** arg) override;
   double compute_vector(int n) override;
 
@@ -63,6 +64,9 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   GrainRow row(int first, int count) const;
   template <typename Kick>
   void for_rows(const Kick& kick) const;
+  void find_onlookers();
+  bool is_looked_at() const;  ///< the end of this step
+  void finish_step();
   bool touches_nothing(int i) const;
   void slow_down(int i);  ///< to the free speed, where it is faster and touches nothing
   void collect();
@@ -104,6 +108,10 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   std::vector<GrainStiffness> stiffness_;
   double contact_force_sum_ = 0.0, contact_count_ = 0.0;
   double loss_ = 0.0;
+  /// The last half kick of the step is still to come, with the first one of the next.
+  bool unfinished_ = false;
+  bool always_looked_at_ = false;
+  std::vector<int> looked_at_every_;  ///< steps
   /// Grains that got heavier in this step, each with its mass before over that after.
   std::vector<std::pair<int, double>> heavier_;
   double largest_factor_ = 1.0, stable_step_ = 0.0;

@@ -54,9 +54,11 @@ void FixMotion::unpack_restart(int i, int nth)
   inertia_[i] = block[1];
 }
 
+// Called before the host packs the grains: what a signal asks for comes at any step.
 void FixMotion::write_restart(FILE* file)
 {
   static_assert(std::is_trivially_copyable_v<Saved>);
+  finish_step();
   save_pair_history(lmp);
   const double loss = damping_loss();
   const bool anew = max_over_ranks(anew_ ? 1.0 : 0.0, world) > 0.0;

@@ -3,7 +3,10 @@
 
 #include "core/constants.h"
 #include "dynamics/kinetic_energy.h"
+#include "host/contact_memory_fix.h"
 #include "host/rank_sums.h"
+
+#include "output.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +117,42 @@ void FixMotion::slow_down(int i)
   loss_ += 0.5 * inertia_[i] * (square - free_speed_square_);
 }
 
+// Walls and sleeves, though they move with the step, do not look at the grains' velocities there;
+// of other fixes nobody knows.
+void FixMotion::find_onlookers()
+{
+  using namespace LAMMPS_NS::FixConst;
+  constexpr int in_between = PRE_INITIAL_INTEGRATE | INITIAL_INTEGRATE | ITERATE_IMPLICITLY |
+                             PRE_FINAL_INTEGRATE | FINAL_INTEGRATE;
+  always_looked_at_ = false;
+  looked_at_every_.clear();
+  for (int n = 0; n < modify->nfix; ++n) {
+    const LAMMPS_NS::Fix* const fix = modify->fix[n];
+    if (fix == this) continue;
+    if (modify->fmask[n] & END_OF_STEP) looked_at_every_.push_back(fix->nevery);
+    if ((modify->fmask[n] & in_between) && !dynamic_cast<const ContactMemoryFix*>(fix))
+      always_looked_at_ = true;
+  }
+}
+
+bool FixMotion::is_looked_at() const
+{
+  const LAMMPS_NS::bigint step = update->ntimestep;
+  if (always_looked_at_ || step == update->laststep || step == output->next) return true;
+  return std::any_of(looked_at_every_.begin(), looked_at_every_.end(),
+                     [step](int every) { return step % every == 0; });
+}
+
+void FixMotion::finish_step()
+{
+  if (!unfinished_) return;
+  unfinished_ = false;
+  for_rows([&](int first, int count) {
+    loss_ += kick_grains(row(first, count), damping_, 0.5 * update->dt).loss;
+  });
+  keep_momentum();
+}
+
 void FixMotion::initial_integrate(int)
 {
   if (anew_) look_anew();
@@ -121,7 +160,9 @@ void FixMotion::initial_integrate(int)
   keep_momentum();
   const double dt = update->dt;
   for_rows([&](int first, int count) {
-    const RowKick kick = kick_grains(row(first, count), damping_, 0.5 * dt);
+    const GrainRow grains = row(first, count);
+    if (unfinished_) loss_ += kick_grains(grains, damping_, 0.5 * dt).loss;
+    const RowKick kick = kick_grains(grains, damping_, 0.5 * dt);
     loss_ += kick.loss;
     if (3.0 * kick.fastest > free_speed_square_)
       for (int i = first; i < first + count; ++i) slow_down(i);
@@ -129,15 +170,18 @@ void FixMotion::initial_integrate(int)
     const double* const __restrict v = atom->v[first];
     for (int k = 0; k < 3 * count; ++k) x[k] += dt * v[k];
   });
+  unfinished_ = false;
 }
 
+// Where nobody looks at velocities before the next step, its first half kick comes in the same pass
+// over the grains as the last one of this step: the pass takes its time to fetch them.
 void FixMotion::final_integrate()
 {
-  for_rows([&](int first, int count) {
-    loss_ += kick_grains(row(first, count), damping_, 0.5 * update->dt).loss;
-  });
-  keep_momentum();
-  if (!wants_contacts(update->ntimestep)) return;
+  unfinished_ = true;
+  const bool weighs = wants_contacts(update->ntimestep);
+  if (heavier_.empty() && !weighs && !is_looked_at()) return;
+  finish_step();
+  if (!weighs) return;
   weigh_equilibrium();
   set_inertia();
 }
