@@ -91,3 +91,20 @@ TEST(FreeSpeed, DoesNotSlowAGrainInContact)
   EXPECT_EQ(limited, free);
   EXPECT_NE(free, 0.10005);
 }
+
+// Where nobody looks, two half kicks are made in one pass; that must not show in the motion.
+TEST(FixMotion, GoesTheSameWayWhetherSomebodyLooksAtEachStepOrNot)
+{
+  const std::string deck = material(7e6, 0.5) + grain(0, 0, 0.1) + grain(0.0199, 0, 0.1) +
+                           grain_size + velocity(0.0, 0.3, 0.1) +
+                           "fix move all motion damping 0.3 safety 0.05 every 40\nthermo 10000\n";
+  const std::string numbers = "x[1] y[1] z[1] vx[1] vy[1] vz[1] x[2] vy[2]";
+  const std::string end = "run 313\n" + print_numbers(numbers + " f_move[5]");
+  const Outcome alone = run_well(deck + end);
+  const Outcome watched = run_well(deck + "fix look all print 1 \"a step\" screen no\n" + end);
+  std::istringstream names(numbers);
+  for (std::string name; names >> name;) EXPECT_EQ(alone.value(name), watched.value(name)) << name;
+  EXPECT_NEAR(alone.value("f_move[5]"), watched.value("f_move[5]"),
+              1e-12 * watched.value("f_move[5]"));
+  EXPECT_NE(alone.value("vy[2]"), 0.0);
+}
