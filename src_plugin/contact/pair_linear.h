@@ -2,6 +2,7 @@
 
 #include "contact/model_linear.h"
 #include "contact/pair_list.h"
+#include "contact/pair_loop.h"
 #include "core/input_error.h"
 #include "host/grain_arrays.h"
 
@@ -12,7 +13,7 @@ namespace encased_column {
 /// The linear law's own loop over pairs, and its own list of them. The host's loop fills two
 /// records of some sixty numbers for every listed pair, touching or not; this one looks at the
 /// distance first. Where something is wanted that only the host's loop offers (virial, contact
-/// lists), that one runs, with the same law.
+/// lists), or the deck asks for it, that one runs, with the same law.
 template <int rolling>
 class PairLinear
     : public LIGGGHTS::PairStyles::Granular<
@@ -31,6 +32,17 @@ class PairLinear
   {
   }
 
+  void settings(int narg, char** arg, LIGGGHTS::IContactHistorySetup* setup) override
+  {
+    try {
+      std::vector<char*> rest(arg, arg + narg);
+      loop_ = take_pair_loop(rest);
+      HostLoop::settings(static_cast<int>(rest.size()), rest.data(), setup);
+    } catch (const InputError& problem) {
+      lmp_->error->all(FLERR, problem.what());
+    }
+  }
+
   void init_granular() override
   {
     HostLoop::init_granular();
@@ -46,7 +58,7 @@ class PairLinear
   void compute_force(PairGran* pair, int eflag, int vflag, int addflag) override
   {
     list_.update(pair);
-    if (wants_host_loop(pair, eflag, vflag)) {
+    if (loop_ == PairLoop::host || wants_host_loop(pair, eflag, vflag)) {
       HostLoop::compute_force(pair, eflag, vflag, addflag);
       return;
     }
@@ -55,7 +67,7 @@ class PairLinear
     desk_.ask_probes();
     const GrainArrays grains(lmp_->atom);
     const bool advance = pair->computeflag() && pair->shearupdate();
-    if (desk_.uses_rows())
+    if (loop_ == PairLoop::rows && desk_.uses_rows())
       press_in_rows(grains, pair, advance);
     else
       press_one_by_one(grains, pair, advance);
@@ -176,6 +188,7 @@ class PairLinear
   ContactDesk desk_;
   ContactRow row_;
   PairList list_;
+  PairLoop loop_ = PairLoop::rows;
   int memory_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Our own list of pairs against the host's, in the same run otherwise.
+// Our own list of pairs and our loops over it against the host's, in the same run otherwise.
 #include "verification/contact/grain_deck.h"
 
 #include <gtest/gtest.h>
@@ -8,14 +8,15 @@ using namespace encased_column::testing;
 namespace {
 
 /// 1 400 grains of 4 to 16 mm grow until they overlap by gravity and each other, with friction,
-/// over many lists; more ranks than one have ghosts.
-std::string growing_grains(const std::string& wall)
+/// over many lists, `with` a wall, or go on for three steps `then` with another pair style (more
+/// would amplify the last digits); more ranks than one have ghosts.
+std::string growing_grains(const std::string& with, const std::string& then)
 {
   return opening_deck("empty_cylinder") +
          "print \"diameter_low [m],diameter_high [m],mass_percent [%]\" file gravel.csv\n"
          "print \"0.004,0.008,40\" append gravel.csv\n"
          "print \"0.008,0.016,60\" append gravel.csv\n" +
-         wall +
+         with +
          "create_packing gradation gravel.csv cylinder 0.05 0 0.1 porosity 0.3 density 1738 type 1 "
          "seed 1\n"
          "fix grow all grow/radius from 0.5 stages 40 relax 10\n"
@@ -24,7 +25,7 @@ std::string growing_grains(const std::string& wall)
          "fix move all motion step 1.0 every 10\n"
          "thermo 100000\n"
          "run 200\n" +
-         print_numbers("f_move[1] f_move[5] f_move[6] z[1] vz[7] fx[100]");
+         then + "run 3\n" + print_numbers("f_move[1] f_move[5] f_move[6] z[1] vz[7] fx[100]");
 }
 
 // A triangle of the host's out of reach: with a mesh of the host's there, its list is made.
@@ -33,26 +34,51 @@ const std::string host_mesh =
     "fix far all mesh/surface file far.stl type 2\n"
     "fix far_wall all wall/gran model linear tangential history mesh n_meshes 1 meshes far\n";
 
-void expect_same_as_the_host(int ranks)
+void expect_the_same(const std::string& deck, const std::string& other, int ranks)
 {
   const TemporaryFolder folder;
-  const Outcome ours = run_deck(growing_grains(""), ranks, folder.path());
-  const Outcome hosts = run_deck(growing_grains(host_mesh), ranks, folder.path());
-  ASSERT_EQ(ours.exit_code, 0) << ours.output;
-  ASSERT_EQ(hosts.exit_code, 0) << hosts.output;
-  EXPECT_GT(ours.value("f_move[6]"), 1000.0);
+  const Outcome one = run_deck(deck, ranks, folder.path());
+  const Outcome two = run_deck(other, ranks, folder.path());
+  ASSERT_EQ(one.exit_code, 0) << one.output;
+  ASSERT_EQ(two.exit_code, 0) << two.output;
+  EXPECT_GT(one.value("f_move[6]"), 1000.0);
   for (const char* name : {"f_move[1]", "f_move[5]", "f_move[6]", "z[1]", "vz[7]", "fx[100]"})
-    EXPECT_NEAR(ours.value(name), hosts.value(name), 1e-9 * std::abs(hosts.value(name))) << name;
+    EXPECT_NEAR(one.value(name), two.value(name), 1e-9 * std::abs(two.value(name))) << name;
 }
 
+const std::string rolling =
+    "fix roll all property/global coefficientRollingFriction peratomtypepair 2 0.2 0.2 0.2 0.2\n";
+
+void expect_the_same_loops(const std::string& words, const std::string& loop, int ranks)
+{
+  const std::string style = "pair_style gran model linear tangential history " + words;
+  const std::string end = "\npair_coeff * *\n";
+  expect_the_same(growing_grains(rolling, style + loop + end),
+                  growing_grains(rolling, style + " loop host" + end), ranks);
+}
 }  // namespace
 
 TEST(PairList, GivesTheForcesOfTheHostsList)
 {
-  expect_same_as_the_host(1);
+  expect_the_same(growing_grains("", ""), growing_grains(host_mesh, ""), 1);
 }
 
 TEST(PairList, GivesTheForcesOfTheHostsListOnTwoRanks)
 {
-  expect_same_as_the_host(2);
+  expect_the_same(growing_grains("", ""), growing_grains(host_mesh, ""), 2);
+}
+
+TEST(PairLoop, GivesTheForcesOfTheHostsTemplate)
+{
+  expect_the_same_loops("", "", 2);
+}
+
+TEST(PairLoop, OneByOneGivesTheForcesOfTheHostsTemplate)
+{
+  expect_the_same_loops("", " loop single", 1);
+}
+
+TEST(PairLoop, GivesTheForcesOfTheHostsTemplateWithRollingResistance)
+{
+  expect_the_same_loops("rolling_friction epsd2", "", 1);
 }
