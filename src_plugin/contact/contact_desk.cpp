@@ -27,7 +27,7 @@ void ContactDesk::open(bool rolling)
 
   for (const ContactMaterial& m : materials_)
     if (m.damping_normal > 0.0 || m.damping_shear > 0.0) has_dashpots_ = true;
-  uses_rows_ = !rolling && !has_dashpots_;
+  uses_rows_ = !has_dashpots_;
 
   const auto movers = fixes_that_are<InertiaOwner>(lmp_);
   inertia_ = movers.empty() ? nullptr : movers.front();
@@ -64,7 +64,8 @@ void ContactDesk::tell_probes(int i, int j, double share, const Touch& touch,
   for (ContactProbe* probe : active_) probe->add_contact(contact);
 }
 
-void ContactDesk::tell_probes(const ContactRow& row)
+template <typename Row>
+void ContactDesk::tell_probes(const Row& row)
 {
   for (int n = 0; n < row.count(); ++n) {
     const ContactStiffness k = row.stiffness(n);
@@ -75,5 +76,8 @@ void ContactDesk::tell_probes(const ContactRow& row)
     for (ContactProbe* probe : active_) probe->add_contact(contact);
   }
 }
+
+template void ContactDesk::tell_probes(const ContactRow&);
+template void ContactDesk::tell_probes(const RollingRow&);
 
 }  // namespace encased_column

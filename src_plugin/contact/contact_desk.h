@@ -1,9 +1,10 @@
 #pragma once
 
-#include "contact/contact_row.h"
+#include "contact/rolling_row.h"
 #include "host/contact_probe.h"
 #include "host/inertia_owner.h"
 
+#include <type_traits>
 #include <vector>
 
 namespace encased_column {
@@ -38,17 +39,19 @@ class ContactDesk {
   /// False where no pair of types has a dashpot: nobody then needs the effective mass.
   bool has_dashpots() const { return has_dashpots_; }
 
-  /// True where the law is that of ContactRow.
+  /// True where the law is that of ContactRow or RollingRow.
   bool uses_rows() const { return uses_rows_; }
 
   /// Resolves the contacts of a row, books their losses and tells the probes.
-  void resolve(ContactRow& row, bool advance)
+  template <typename Row>
+  void resolve(Row& row, bool advance)
   {
     const double step = static_cast<double>(lmp_->update->ntimestep);
     const double loss = row.resolve(lmp_->update->dt, step, advance);
     if (!active_.empty()) tell_probes(row);
     if (!advance) return;
     losses_->friction += loss;
+    if constexpr (std::is_same_v<Row, RollingRow>) losses_->rolling += row.rolling_loss();
     row.keep(step);
   }
 
@@ -74,7 +77,8 @@ class ContactDesk {
   ContactKind kind_of(int j) const { return j < 0 ? walls_ : ContactKind::grain; }
   void ask_probes_anew();
   void tell_probes(int i, int j, double share, const Touch& touch, const ContactAction& action);
-  void tell_probes(const ContactRow& row);
+  template <typename Row>
+  void tell_probes(const Row& row);
 
   LAMMPS_NS::LAMMPS* lmp_;
   ContactKind walls_;

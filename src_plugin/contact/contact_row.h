@@ -81,7 +81,7 @@ class ContactRow {
   }
   bool is_sliding(int n) const { return part_[n] < 1.0; }
 
- private:
+ protected:
   Vec3 twist(int n) const { return {twist_[0][n], twist_[1][n], twist_[2][n]}; }
 
   using Numbers = double[size];

@@ -21,6 +21,7 @@ class PairLinear
   using HostLoop = LIGGGHTS::PairStyles::Granular<
       LIGGGHTS::ContactModels::ContactModel<LIGGGHTS::ContactModels::LinearStyle<rolling>>>;
   using PairGran = LAMMPS_NS::PairGran;
+  static constexpr bool with_rolling = rolling != LIGGGHTS::ContactModels::ROLLING_OFF;
 
  public:
   PairLinear(LAMMPS_NS::LAMMPS* lmp, PairGran* parent, int64_t hash)
@@ -46,7 +47,7 @@ class PairLinear
   void init_granular() override
   {
     HostLoop::init_granular();
-    desk_.open(rolling != LIGGGHTS::ContactModels::ROLLING_OFF);
+    desk_.open(with_rolling);
     memory_ = this->get_history_offset("contact_memory");
     try {
       list_.take_over(parent_);
@@ -172,9 +173,8 @@ class PairLinear
             desk_.has_dashpots() ? effective_mass(grains.mass[i], grains.mass[j]) : 0.0;
         const Touch touch{body_i.radius + body_j.radius - distance, apart / distance, mass, body_i,
                           body_j};
-        const ContactAction action =
-            resolve_contact<rolling != LIGGGHTS::ContactModels::ROLLING_OFF>(
-                desk_.material(grains.type[i], grains.type[j]), touch, dt, step, advance, memory);
+        const ContactAction action = resolve_contact<with_rolling>(
+            desk_.material(grains.type[i], grains.type[j]), touch, dt, step, advance, memory);
         push(grains, i, j, action.force, action.moment_i, action.moment_j);
         desk_.book(i, j, share_of(grains, j), advance, touch, action);
       });
@@ -186,7 +186,7 @@ class PairLinear
   LAMMPS_NS::LAMMPS* lmp_;
   PairGran* parent_;
   ContactDesk desk_;
-  ContactRow row_;
+  std::conditional_t<with_rolling, RollingRow, ContactRow> row_;
   PairList list_;
   PairLoop loop_ = PairLoop::rows;
   int memory_ = 0;

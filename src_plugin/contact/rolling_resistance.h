@@ -28,11 +28,9 @@ inline double advance_rolling_torque(double shear_stiffness, double friction, do
   const Vec3 trial = torque + stiffness * turn;
   const double limit = friction * normal_force * r * slider_slack(dt > 0.0);
   const double size = trial.norm();
-  if (size <= limit) {
-    torque = trial;
-    return 0.0;
-  }
-  const Vec3 kept = trial * (limit / size);
+  // One below the limit is kept to the last bit and loses nothing: no branch, for vector units.
+  const double part = size > limit ? limit / size : 1.0;
+  const Vec3 kept = part * trial;
   const double loss = 0.5 * (torque + kept).dot(trial - kept) / stiffness;
   torque = kept;
   return loss;

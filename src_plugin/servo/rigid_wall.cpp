@@ -67,15 +67,6 @@ void RigidWall::setup(int flags)
   sum_load();
 }
 
-void RigidWall::press_row(const GrainArrays& grains)
-{
-  desk_.resolve(row_, advance_memory_);
-  for (int n = 0; n < row_.count(); ++n)
-    push(grains, row_.i(n), row_.force(n), row_.moment_i(n), row_.normal_force(n),
-         row_.stiffness(n));
-  row_.clear();
-}
-
 void RigidWall::push(const GrainArrays& grains, int i, const Vec3& force, const Vec3& moment,
                      double normal_force, const ContactStiffness& stiffness)
 {

@@ -58,11 +58,12 @@ class RigidWall : public ContactMemoryFix {
   void list_grains_near(const Shape& shape);
   template <typename Shape, typename Found>
   void find_contacts(const Shape& shape, const GrainArrays& grains, const Found& found);
-  template <typename Shape>
-  void press_in_rows(const Shape& shape, const GrainArrays& grains);
+  template <typename Shape, typename Row>
+  void press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row);
   template <bool rolling, typename Shape>
   void press_one_by_one(const Shape& shape, const GrainArrays& grains);
-  void press_row(const GrainArrays& grains);
+  template <typename Row>
+  void press_row(const GrainArrays& grains, Row& row);
   void push(const GrainArrays& grains, int i, const Vec3& force, const Vec3& moment,
             double normal_force, const ContactStiffness& stiffness);
   void sum_load();
@@ -80,6 +81,7 @@ class RigidWall : public ContactMemoryFix {
   WallDrive drive_;
   ContactDesk desk_;
   ContactRow row_;
+  RollingRow rolling_row_;
   int wall_type_ = 0;
   bool rolling_ = false;
   bool advance_memory_ = true;
@@ -99,8 +101,10 @@ void RigidWall::press_grains_with(const Shape& shape)
     list_grains_near(shape);
   if (near_.empty()) return;
   const GrainArrays grains(atom);
-  if (desk_.uses_rows())
-    press_in_rows(shape, grains);
+  if (desk_.uses_rows() && rolling_)
+    press_in_rows(shape, grains, rolling_row_);
+  else if (desk_.uses_rows())
+    press_in_rows(shape, grains, row_);
   else if (rolling_)
     press_one_by_one<true>(shape, grains);
   else
@@ -138,15 +142,24 @@ void RigidWall::find_contacts(const Shape& shape, const GrainArrays& grains, con
   }
 }
 
-template <typename Shape>
-void RigidWall::press_in_rows(const Shape& shape, const GrainArrays& grains)
+template <typename Shape, typename Row>
+void RigidWall::press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row)
 {
   find_contacts(shape, grains, [&](int i, const Touch& touch) {
-    row_.add(i, -1, 1.0, desk_.material(grains.type[i], wall_type_),
-             (touch.i.radius - touch.overlap) * touch.normal, touch.i, touch.j, contact_memory(i));
-    if (row_.is_full()) press_row(grains);
+    row.add(i, -1, 1.0, desk_.material(grains.type[i], wall_type_),
+            (touch.i.radius - touch.overlap) * touch.normal, touch.i, touch.j, contact_memory(i));
+    if (row.is_full()) press_row(grains, row);
   });
-  press_row(grains);
+  press_row(grains, row);
+}
+
+template <typename Row>
+void RigidWall::press_row(const GrainArrays& grains, Row& row)
+{
+  desk_.resolve(row, advance_memory_);
+  for (int n = 0; n < row.count(); ++n)
+    push(grains, row.i(n), row.force(n), row.moment_i(n), row.normal_force(n), row.stiffness(n));
+  row.clear();
 }
 
 template <bool rolling, typename Shape>
