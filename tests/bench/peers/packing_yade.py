@@ -1,4 +1,4 @@
-"""YADE; constants, platens and step are those of ../stock.lmp. Arguments: STEPS SKIN [m]; reads yade.txt.
+"""YADE; constants, platens and step are those of stock.lmp. Arguments: STEPS SKIN [m]; reads yade.txt.
 
 Where it differs: the shear spring follows the spin about the normal too, and slip is taken at lever arms that do not
 ratchet (`avoidGranularRatcheting`). YADE has no round wall that holds grains inside: the cylinder is of flat facets
@@ -33,7 +33,7 @@ O.engines = [
         [Law2_ScGeom_FrictPhys_CundallStrack()]),
     NewtonIntegrator(damping=0, gravity=(0, 0, -9.8)),
 ]
-O.dt = 1e-7
+O.dt = 1e-8
 
 O.run(200, True)
 start = time.perf_counter()
