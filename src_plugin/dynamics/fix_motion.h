@@ -90,7 +90,8 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   Rule rule_now() const { return {scaled_step_, safety_, stiffest_material_, rolling_}; }
   void look_anew();
   void make_heavier(int i, double inertia) override;
-  void keep_momentum();
+  /// Of grains before `end` that got heavier, in the order of the list.
+  void keep_momentum(int end = std::numeric_limits<int>::max());
   double kinetic_energy_of(int i) const;
 
   double damping_;
@@ -114,6 +115,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   std::vector<int> looked_at_every_;  ///< steps
   /// Grains that got heavier in this step, each with its mass before over that after.
   std::vector<std::pair<int, double>> heavier_;
+  std::size_t slowed_ = 0;  ///< of them already
   double largest_factor_ = 1.0, stable_step_ = 0.0;
   Equilibrium equilibrium_;
 };

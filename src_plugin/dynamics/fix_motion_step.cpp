@@ -50,15 +50,18 @@ void FixMotion::make_heavier(int i, double inertia)
   if (setting_up_) keep_momentum();  // no way was gone
 }
 
-void FixMotion::keep_momentum()
+void FixMotion::keep_momentum(int end)
 {
-  for (const auto& [i, part] : heavier_) {
+  for (; slowed_ < heavier_.size() && heavier_[slowed_].first < end; ++slowed_) {
+    const auto& [i, part] = heavier_[slowed_];
     loss_ += kinetic_energy_of(i);
     as_vec3(atom->v[i]) *= part;
     as_vec3(atom->omega[i]) *= part;
     loss_ -= kinetic_energy_of(i);
   }
+  if (slowed_ < heavier_.size()) return;
   heavier_.clear();
+  slowed_ = 0;
 }
 
 void FixMotion::weigh_equilibrium()
@@ -157,11 +160,17 @@ void FixMotion::initial_integrate(int)
 {
   if (anew_) look_anew();
   anew_ = setting_up_ = false;
-  keep_momentum();
+  if (unfinished_)
+    std::sort(heavier_.begin(), heavier_.end());
+  else
+    keep_momentum();
   const double dt = update->dt;
   for_rows([&](int first, int count) {
     const GrainRow grains = row(first, count);
-    if (unfinished_) loss_ += kick_grains(grains, damping_, 0.5 * dt).loss;
+    if (unfinished_) {
+      loss_ += kick_grains(grains, damping_, 0.5 * dt).loss;
+      keep_momentum(first + count);
+    }
     const RowKick kick = kick_grains(grains, damping_, 0.5 * dt);
     loss_ += kick.loss;
     if (3.0 * kick.fastest > free_speed_square_)
@@ -170,6 +179,7 @@ void FixMotion::initial_integrate(int)
     const double* const __restrict v = atom->v[first];
     for (int k = 0; k < 3 * count; ++k) x[k] += dt * v[k];
   });
+  keep_momentum();
   unfinished_ = false;
 }
 
@@ -179,7 +189,7 @@ void FixMotion::final_integrate()
 {
   unfinished_ = true;
   const bool weighs = wants_contacts(update->ntimestep);
-  if (heavier_.empty() && !weighs && !is_looked_at()) return;
+  if (!weighs && !is_looked_at()) return;
   finish_step();
   if (!weighs) return;
   weigh_equilibrium();
