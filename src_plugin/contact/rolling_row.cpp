@@ -1,4 +1,5 @@
 // Vectors of three spread over the halves of a vector register would keep rows of them from it.
+// Nothing here may depend on how Eigen aligns larger matrices, which this changes.
 #define EIGEN_DONT_VECTORIZE
 
 #include "contact/rolling_row.h"

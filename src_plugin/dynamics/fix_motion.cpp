@@ -122,6 +122,7 @@ void FixMotion::init()
   else if (!anew_ && stable_step_ > 0.0)
     update->dt = stable_step_;
   setting_up_ = true;
+  find_onlookers();
 }
 
 /// Atom types a grain may meet. With density scaling those of grains: of walls it hears at the
@@ -187,7 +188,6 @@ void FixMotion::add_contact(const Contact& contact)
 // the first step uses is taken at its start.
 void FixMotion::setup(int)
 {
-  find_onlookers();
   if (anew_) look_anew();
 }
 

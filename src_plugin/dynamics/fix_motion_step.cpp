@@ -3,7 +3,7 @@
 
 #include "core/constants.h"
 #include "dynamics/kinetic_energy.h"
-#include "host/contact_memory_fix.h"
+#include "host/blind_to_velocity.h"
 #include "host/rank_sums.h"
 
 #include "output.h"
@@ -20,7 +20,9 @@ void FixMotion::set_inertia()
   double stable = 1e300, factor = 1.0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const double one_contact = pi * atom->radius[i] * stiffest_material_;
-    const double stiffness = std::max(one_contact, stiffness_[i].decisive(rolling_));
+    // Grains that were made since the contacts were collected have none.
+    const bool known = i < static_cast<int>(stiffness_.size());
+    const double stiffness = std::max(one_contact, known ? stiffness_[i].decisive(rolling_) : 0.0);
     inertia_[i] = atom->rmass[i];
     if (scaled_step_ > 0.0)
       inertia_[i] = std::max(inertia_[i], mass_for_step(scaled_step_, stiffness, safety_));
@@ -120,8 +122,7 @@ void FixMotion::slow_down(int i)
   loss_ += 0.5 * inertia_[i] * (square - free_speed_square_);
 }
 
-// Walls and sleeves, though they move with the step, do not look at the grains' velocities there;
-// of other fixes nobody knows.
+// Of fixes that do not say so nobody knows.
 void FixMotion::find_onlookers()
 {
   using namespace LAMMPS_NS::FixConst;
@@ -131,10 +132,9 @@ void FixMotion::find_onlookers()
   looked_at_every_.clear();
   for (int n = 0; n < modify->nfix; ++n) {
     const LAMMPS_NS::Fix* const fix = modify->fix[n];
-    if (fix == this) continue;
-    if (modify->fmask[n] & END_OF_STEP) looked_at_every_.push_back(fix->nevery);
-    if ((modify->fmask[n] & in_between) && !dynamic_cast<const ContactMemoryFix*>(fix))
-      always_looked_at_ = true;
+    if (fix == this || dynamic_cast<const BlindToVelocity*>(fix)) continue;
+    if (modify->fmask[n] & END_OF_STEP) looked_at_every_.push_back(std::max(fix->nevery, 1));
+    if (modify->fmask[n] & in_between) always_looked_at_ = true;
   }
 }
 
@@ -158,7 +158,10 @@ void FixMotion::finish_step()
 
 void FixMotion::initial_integrate(int)
 {
-  if (anew_) look_anew();
+  if (anew_) {
+    finish_step();  // with the masses and the step it was made with
+    look_anew();
+  }
   anew_ = setting_up_ = false;
   if (unfinished_)
     std::sort(heavier_.begin(), heavier_.end());

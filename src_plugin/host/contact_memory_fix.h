@@ -1,13 +1,14 @@
 #pragma once
 
 #include "contact/resolve_contact.h"
+#include "host/blind_to_velocity.h"
 #include "host/host_types.h"
 
 namespace encased_column {
 
 /// A fix that is a wall: each grain remembers one contact with it, and the memory goes along when
 /// grains change places or ranks and into restart files.
-class ContactMemoryFix : public LAMMPS_NS::Fix {
+class ContactMemoryFix : public LAMMPS_NS::Fix, public BlindToVelocity {
  public:
   ContactMemoryFix(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~ContactMemoryFix() override;

@@ -72,7 +72,7 @@ void FixOutputGrains::read_keywords(int narg, char** arg)
 int FixOutputGrains::setmask()
 {
   using namespace LAMMPS_NS::FixConst;
-  return END_OF_STEP | (options_.rotation ? FINAL_INTEGRATE : 0);
+  return END_OF_STEP | (options_.rotation ? POST_INTEGRATE : 0);
 }
 
 void FixOutputGrains::init()
@@ -86,7 +86,8 @@ void FixOutputGrains::setup(int)
   if (!written_) write();
 }
 
-void FixOutputGrains::final_integrate()
+// The spin in the middle of the step turns a grain from its begin to its end.
+void FixOutputGrains::post_integrate()
 {
   const double dt = update->dt;
   double** omega = atom->omega;

@@ -23,7 +23,7 @@ class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe, public Serie
   int setmask() override;
   void init() override;
   void setup(int) override;
-  void final_integrate() override;
+  void post_integrate() override;
   void end_of_step() override { write(); }
   int modify_param(int narg, char** arg) override;
 

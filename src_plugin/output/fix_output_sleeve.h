@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "host/blind_to_velocity.h"
 #include "host/run_clock.h"
 #include "output/csv_series.h"
 #include "output/vtk_series.h"
@@ -17,7 +18,7 @@ class FixMeshSurfaceShell;
 
 /// `fix output/sleeve`: a sleeve as a time series that ParaView opens, its profile over the height
 /// at the same times, and its curves.
-class FixOutputSleeve : public LAMMPS_NS::Fix, public SeriesOwner {
+class FixOutputSleeve : public LAMMPS_NS::Fix, public SeriesOwner, public BlindToVelocity {
  public:
   static const KeywordTable keywords;
 

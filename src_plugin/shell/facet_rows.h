@@ -26,6 +26,10 @@ class FacetRows {
                    Vec3* moment);
 
  private:
+  // One of the files behind this one keeps Eigen from aligning matrices: these have nothing to
+  // align.
+  static_assert(alignof(Vec3) == alignof(double) && alignof(Mat3) == alignof(double));
+
   using Numbers = double[size];
   static constexpr int symmetric = 21;  ///< numbers of a symmetric 6 x 6 matrix
   /// Place of (i, j) among them.

@@ -124,10 +124,11 @@ TEST(RollingRow, GivesItInASetUpToo)
 }
 
 // A set-up repeats a step: not nearly, but to the last bit.
-TEST(ContactRow, RepeatsTheForcesOfAStepToTheLastBit)
+template <typename Row>
+void expect_the_last_bit_repeated()
 {
   Contacts contacts(ContactRow::size, 5);
-  ContactRow row;
+  Row row;
   std::vector<Vec3> force, moment;
   for (const bool advance : {true, false}) {
     row.clear();
@@ -148,6 +149,16 @@ TEST(ContactRow, RepeatsTheForcesOfAStepToTheLastBit)
     }
     if (advance) row.keep(10.0);
   }
+}
+
+TEST(ContactRow, RepeatsTheForcesOfAStepToTheLastBit)
+{
+  expect_the_last_bit_repeated<ContactRow>();
+}
+
+TEST(RollingRow, RepeatsTheForcesOfAStepToTheLastBit)
+{
+  expect_the_last_bit_repeated<RollingRow>();
 }
 
 // Round-off may put the center of a grain that just touches a wall beyond its radius.

@@ -8,8 +8,8 @@ using namespace encased_column::testing;
 namespace {
 
 /// 1 400 grains of 4 to 16 mm grow until they overlap by gravity and each other, with friction,
-/// over many lists, `with` a wall, or go on for three steps `then` with another pair style (more
-/// would amplify the last digits); more ranks than one have ghosts.
+/// over many lists, `with` a wall, or go on for twice three steps `then` with another pair style
+/// (more would amplify the last digits); more ranks than one have ghosts.
 std::string growing_grains(const std::string& with, const std::string& then)
 {
   return opening_deck("empty_cylinder") +
@@ -25,7 +25,8 @@ std::string growing_grains(const std::string& with, const std::string& then)
          "fix move all motion step 1.0 every 10\n"
          "thermo 100000\n"
          "run 200\n" +
-         then + "run 3\n" + print_numbers("f_move[1] f_move[5] f_move[6] z[1] vz[7] fx[100]");
+         then + "run 3\nrun 3\n" +
+         print_numbers("f_move[1] f_move[5] f_move[6] z[1] vz[7] fx[100]");
 }
 
 // A triangle of the host's out of reach: with a mesh of the host's there, its list is made.
@@ -76,6 +77,7 @@ TEST(PairLoop, GivesTheForcesOfTheHostsTemplate)
 TEST(PairLoop, OneByOneGivesTheForcesOfTheHostsTemplate)
 {
   expect_the_same_loops("", " loop single", 1);
+  expect_the_same_loops("rolling_friction epsd2", " loop single", 1);
 }
 
 TEST(PairLoop, GivesTheForcesOfTheHostsTemplateWithRollingResistance)
