@@ -44,11 +44,11 @@ void write_column(const fs::path& run, bool strain)
   ASSERT_TRUE(write_grains(make_series(run, "grains"), grains, options));
 }
 
-/// Upright bars of 100 N on the left, 50 N on the right and 4.9 N between them.
+/// Upright bars of 20 N on the left, 10 N on the right and 4.9 N between them.
 void write_bars(const fs::path& run)
 {
   std::vector<ContactRecord> contacts;
-  for (const auto& [x, force] : {std::pair{-0.03, 100.0}, {0.0, 4.9}, {0.03, 50.0}}) {
+  for (const auto& [x, force] : {std::pair{-0.03, 20.0}, {0.0, 4.9}, {0.03, 10.0}}) {
     ContactRecord contact{};
     contact.from = {x, 0.0, 0.05};
     contact.to = {x, 0.0, 0.15};
@@ -91,11 +91,10 @@ TEST_F(PicturesTest, StandOnWhite)
     ASSERT_TRUE(fs::exists(file(name))) << name;
     const PicturePixels picture(file(name));
     ASSERT_TRUE(picture.has_the_size_of_all()) << name;
-    for (int y = 0; y < 1500; ++y) EXPECT_TRUE(picture.is_white(0, y)) << name << ", row " << y;
-    for (int x = 0; x < 1200; ++x) {
-      EXPECT_TRUE(picture.is_white(x, 0)) << name << ", column " << x;
-      EXPECT_TRUE(picture.is_white(x, 1499)) << name << ", column " << x;
-    }
+    int marked = 0;
+    for (int y = 0; y < 1500; ++y) marked += !picture.is_white(0, y) + !picture.is_white(1199, y);
+    for (int x = 0; x < 1200; ++x) marked += !picture.is_white(x, 0) + !picture.is_white(x, 1499);
+    EXPECT_EQ(marked, 0) << name << ": cut off at an edge";
     EXPECT_FALSE(picture.is_white(400, 750)) << name;
   }
 }
