@@ -3,13 +3,11 @@
 #include "drawing/display.h"
 #include "drawing/load_figures.h"
 #include "drawing/run_figures.h"
+#include "drawing/run_pictures.h"
 #include "drawing/sleeve_figures.h"
-#include "drawing/sleeve_picture.h"
-#include "drawing/specimen_picture.h"
 #include "drawing/triaxial_figures.h"
 #include "page/case_page.h"
 #include "page/series_page.h"
-#include "reading/grain_file.h"
 #include "report/check_table.h"
 #include "report/result_table.h"
 #include "report/theory_table.h"
@@ -83,20 +81,7 @@ void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
   draw_figures(folder, energy_figures(sets));
   draw_figures(folder, sleeve_figures(sets, targets));
   draw_figures(folder, column_figures(sets));
-  for (const SetResult& set : sets)
-    for (const TestResult& test : set.tests) {
-      const CaseRun& run = *test.run;
-      if (const auto grains = last_grain_file(run.folder))
-        draw_specimen(folder / ("specimen_" + run.id), grains->file, run.title);
-      else
-        std::cerr << "note: no picture of the specimen of '" << run.id
-                  << "': its run wrote no grains/grains.pvd\n";
-      if (const auto frame = last_sleeve_files(run.folder))
-        draw_sleeve(folder / ("hoop_tension_" + run.id), *frame, run.title);
-      else if (run.encased())
-        std::cerr << "note: no picture of the sleeve of '" << run.id
-                  << "': its run wrote no sleeve/sleeve.pvd with grains at the same time\n";
-    }
+  draw_run_pictures(folder, sets);
   std::cout << "\nPictures: " << folder.string() << '\n';
 }
 

@@ -1,5 +1,6 @@
 #include "drawing/column_figures.h"
 
+#include "core/input_error.h"
 #include "drawing/labels.h"
 #include "report/text_layout.h"
 
@@ -75,11 +76,11 @@ Panel strong_shares(const TestResult& test)
               {"share [%]", false, 0.0, {}},
               {}};
   const std::vector<double> strain = percent(values_of(test, &ContactSample::axial_strain));
-  for (std::size_t level = 0; level < force_levels.size(); ++level) {
+  for (const auto& [level, first] : test.contacts.front().share) {
     std::vector<double> shares;
-    for (const ContactSample& sample : test.contacts) shares.push_back(sample.share[level]);
+    for (const ContactSample& sample : test.contacts) shares.push_back(sample.share.at(level));
     panel.series.push_back(
-        {fixed(force_levels[level], 0) + " N", strain, percent(shares), palette(level)});
+        {in_words(level) + " N", strain, percent(shares), palette(panel.series.size())});
   }
   return panel;
 }
@@ -101,7 +102,7 @@ Figure contact_force(const TestResult& test, const std::string& name)
     panels[1].series.push_back({"whole specimen", strain,
                                 values_of(test, &ContactSample::mean_force), black,
                                 Stroke::dashed});
-    panels.push_back(strong_shares(test));
+    if (!test.contacts.front().share.empty()) panels.push_back(strong_shares(test));
   }
   return {"contact_force_" + test.run->id, "Contact forces",
           "Statistics to the study's Figure 13; grains are larger than its column's where the "

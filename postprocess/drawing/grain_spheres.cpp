@@ -7,6 +7,7 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPointData.h>
@@ -15,61 +16,14 @@
 #include <vtkRenderer.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <array>
-#include <cmath>
-
 namespace encased_column {
 
-vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file)
-{
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
+namespace {
 
-vtkDataArray* array_of(vtkDataSetAttributes* arrays, const std::string& name,
-                       const std::string& unit, int components, const std::filesystem::path& file)
+/// Each sphere is one square that the shader rounds: no facets, and fast without a graphics card.
+vtkSmartPointer<vtkActor> actor_of(vtkPolyData* spheres, vtkColorTransferFunction* map)
 {
-  for (const std::string& full : {name, name + " [" + unit + "]"}) {
-    vtkDataArray* array = arrays->GetArray(full.c_str());
-    if (array && array->GetNumberOfComponents() == components) return array;
-  }
-  throw InputError("'" + file.string() + "' must have an array '" + name + "' of " +
-                   std::to_string(components) +
-                   " component(s), found none, write the file with the same version");
-}
-
-vtkSmartPointer<vtkPolyData> grain_spheres(const std::filesystem::path& file)
-{
-  const vtkSmartPointer<vtkPolyData> grains = read_poly_data(file);
-  vtkDataArray* radius = array_of(grains->GetPointData(), "radius", "m", 1, file);
-  vtkDataArray* displacement = array_of(grains->GetPointData(), "displacement", "m", 3, file);
-
-  vtkNew<vtkFloatArray> sphere_radius;  // the mapper takes no double
-  vtkNew<vtkDoubleArray> moved;
-  sphere_radius->SetName("sphere_radius");
-  moved->SetName("moved");
-  for (vtkIdType i = 0; i < grains->GetNumberOfPoints(); ++i) {
-    std::array<double, 3> u{};
-    displacement->GetTuple(i, u.data());
-    sphere_radius->InsertNextValue(radius->GetTuple1(i));
-    moved->InsertNextValue(1e3 * std::hypot(u[0], u[1], u[2]));
-  }
-  auto spheres = vtkSmartPointer<vtkPolyData>::New();
-  spheres->SetPoints(grains->GetPoints());
-  spheres->GetPointData()->AddArray(sphere_radius);
-  spheres->GetPointData()->SetScalars(moved);
-  return spheres;
-}
-
-void add_spheres(vtkRenderer* renderer, vtkPolyData* spheres, vtkColorTransferFunction* map)
-{
-  // Each sphere is one square that the shader rounds: no facets, and fast without a graphics card.
-  // It draws vertices, not bare points.
-  vtkNew<vtkCellArray> vertices;
-  for (vtkIdType i = 0; i < spheres->GetNumberOfPoints(); ++i) vertices->InsertNextCell(1, &i);
-  spheres->SetVerts(vertices);
+  add_vertices(spheres);
   vtkNew<vtkOpenGLSphereMapper> mapper;
   mapper->SetInputData(spheres);
   mapper->SetScaleArray("sphere_radius");
@@ -79,13 +33,101 @@ void add_spheres(vtkRenderer* renderer, vtkPolyData* spheres, vtkColorTransferFu
     mapper->UseLookupTableScalarRangeOn();
   } else
     mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
+  return actor;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& file)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+void add_vertices(vtkPolyData* points)
+{
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) vertices->InsertNextCell(1, &i);
+  points->SetVerts(vertices);
+}
+
+vtkDataArray* find_array(vtkDataSetAttributes* arrays, const ArrayName& called)
+{
+  for (const std::string& name : {called.name, called.name + " [" + called.unit + "]"}) {
+    vtkDataArray* array = arrays->GetArray(name.c_str());
+    if (array && array->GetNumberOfComponents() == called.components) return array;
+  }
+  return nullptr;
+}
+
+vtkDataArray* array_of(vtkDataSetAttributes* arrays, const ArrayName& called,
+                       const std::filesystem::path& file)
+{
+  if (vtkDataArray* array = find_array(arrays, called)) return array;
+  throw InputError("'" + file.string() + "' must have an array '" + called.name + "' of " +
+                   std::to_string(called.components) +
+                   " component(s), found none, write the file with the same version");
+}
+
+vtkSmartPointer<vtkPolyData> grain_spheres(const std::filesystem::path& file)
+{
+  vtkSmartPointer<vtkPolyData> grains = read_poly_data(file);
+  vtkDataArray* radius = array_of(grains->GetPointData(), {"radius", "m", 1}, file);
+  vtkNew<vtkFloatArray> sphere_radius;  // the mapper takes no double
+  sphere_radius->SetName("sphere_radius");
+  for (vtkIdType i = 0; i < grains->GetNumberOfPoints(); ++i)
+    sphere_radius->InsertNextValue(static_cast<float>(radius->GetTuple1(i)));
+  grains->GetPointData()->AddArray(sphere_radius);
+  return grains;
+}
+
+void color_by(vtkPolyData* spheres, vtkDataArray* values, double factor)
+{
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetName("color");
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i) {
+    const double* value = values->GetTuple(i);
+    const bool vector = values->GetNumberOfComponents() == 3;
+    scalars->InsertNextValue(factor * (vector ? vtkMath::Norm(value) : *value));
+  }
+  spheres->GetPointData()->SetScalars(scalars);
+}
+
+vtkSmartPointer<vtkPolyData> spheres_where(vtkPolyData* spheres,
+                                           const std::function<bool(vtkIdType)>& chosen)
+{
+  vtkNew<vtkPoints> points;
+  auto left = vtkSmartPointer<vtkPolyData>::New();
+  left->GetPointData()->CopyAllocate(spheres->GetPointData());
+  for (vtkIdType i = 0; i < spheres->GetNumberOfPoints(); ++i)
+    if (chosen(i))
+      left->GetPointData()->CopyData(spheres->GetPointData(), i,
+                                     points->InsertNextPoint(spheres->GetPoint(i)));
+  left->SetPoints(points);
+  return left;
+}
+
+void add_spheres(vtkRenderer* renderer, vtkPolyData* spheres, vtkColorTransferFunction* map)
+{
+  const vtkSmartPointer<vtkActor> actor = actor_of(spheres, map);
   actor->GetProperty()->SetColor(0.82, 0.80, 0.77);
   actor->GetProperty()->SetAmbient(0.25);
   actor->GetProperty()->SetDiffuse(0.75);
   actor->GetProperty()->SetSpecular(0.15);
   actor->GetProperty()->SetSpecularPower(20.0);
+  renderer->AddActor(actor);
+}
+
+void add_flat_spheres(vtkRenderer* renderer, vtkPolyData* spheres)
+{
+  const vtkSmartPointer<vtkActor> actor = actor_of(spheres, nullptr);
+  actor->GetProperty()->SetColor(0.93, 0.93, 0.93);
+  actor->GetProperty()->SetAmbient(1.0);
+  actor->GetProperty()->SetDiffuse(0.0);
   renderer->AddActor(actor);
 }
 

@@ -105,17 +105,27 @@ void add_caption(vtkRenderer* renderer, const std::string& caption)
   set_font(text->GetTextProperty(), 28 * finer);
   text->GetTextProperty()->SetJustificationToCentered();
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  text->SetPosition(0.5, 0.955);
+  text->GetTextProperty()->SetVerticalJustificationToTop();
+  text->GetTextProperty()->SetLineSpacing(1.3);
+  text->SetPosition(0.5, 0.98);
   renderer->AddActor2D(text);
 }
 
-void draw_scene(const std::filesystem::path& file, vtkRenderer* renderer, double azimuth)
+void draw_scene(const std::filesystem::path& file, vtkRenderer* renderer, double azimuth,
+                vtkRenderer* backdrop)
 {
-  renderer->SetBackground(1.0, 1.0, 1.0);
+  vtkRenderer* const lowest = backdrop ? backdrop : renderer;
+  lowest->SetBackground(1.0, 1.0, 1.0);
   vtkNew<vtkRenderWindow> window;
   prepare_window(window, finer * width, finer * height);
-  window->AddRenderer(renderer);
-  aim(renderer, azimuth);
+  window->AddRenderer(lowest);
+  aim(lowest, azimuth);
+  if (backdrop) {  // a layer above has depths of its own
+    window->SetNumberOfLayers(2);
+    renderer->SetLayer(1);
+    renderer->SetActiveCamera(backdrop->GetActiveCamera());
+    window->AddRenderer(renderer);
+  }
   write_png(file, window, finer);
 }
 

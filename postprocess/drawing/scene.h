@@ -22,12 +22,17 @@ vtkSmartPointer<vtkColorTransferFunction> colors_for(vtkDataArray* values);
 /// A bar with the colors of `map` at the right edge, titled with quantity and unit.
 void add_color_bar(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title);
 
-/// One line at the upper edge.
+/// One line or two at the upper edge.
 void add_caption(vtkRenderer* renderer, const std::string& caption);
+
+/// The direction [deg] of -y, straight onto the plane through the axis that pictures cut along.
+constexpr double from_front = -90.0;
 
 /// Draws what `renderer` holds into `file`.png, 1200 x 1500 px, seen from the direction `azimuth`
 /// [deg] around z (0: from +x, 90: from +y) and a little from above; z points up, the bodies stand
-/// left of the middle, where the bar leaves room.
-void draw_scene(const std::filesystem::path& file, vtkRenderer* renderer, double azimuth);
+/// left of the middle, where the bar leaves room. What `backdrop` holds, and it alone decides what
+/// the picture must hold then, lies behind all of it.
+void draw_scene(const std::filesystem::path& file, vtkRenderer* renderer, double azimuth,
+                vtkRenderer* backdrop = nullptr);
 
 }  // namespace encased_column

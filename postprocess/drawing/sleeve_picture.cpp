@@ -9,18 +9,14 @@
 #include <vtkClipPolyData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
 #include <vtkImplicitBoolean.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-
-#include <array>
 
 namespace encased_column {
 
@@ -31,7 +27,7 @@ constexpr double from_azimuth = -75.0;  // deg: both faces of the cut and the le
 /// The quarter x > axis, y < axis that is cut out.
 struct Quarter {
   double x, y;  ///< of the axis [m]
-  bool holds(const std::array<double, 3>& point) const { return point[0] > x && point[1] < y; }
+  bool holds(const double* point) const { return point[0] > x && point[1] < y; }
 };
 
 /// The sleeve with its hoop tension [kN/m] as scalars of the facets.
@@ -41,32 +37,13 @@ vtkSmartPointer<vtkPolyData> sleeve_of(const std::filesystem::path& file)
   if (sleeve->GetNumberOfCells() == 0)
     throw InputError("'" + file.string() +
                      "' must hold the facets of a sleeve, found none, run the case again");
-  vtkDataArray* tension = array_of(sleeve->GetCellData(), "hoop_tension", "N/m", 1, file);
+  vtkDataArray* tension = array_of(sleeve->GetCellData(), {"hoop_tension", "N/m", 1}, file);
   vtkNew<vtkDoubleArray> kilo;
   kilo->SetName("hoop tension");
   for (vtkIdType i = 0; i < tension->GetNumberOfTuples(); ++i)
     kilo->InsertNextValue(tension->GetTuple1(i) / 1e3);
   sleeve->GetCellData()->SetScalars(kilo);
   return sleeve;
-}
-
-vtkSmartPointer<vtkPolyData> grains_outside(const Quarter& quarter, vtkPolyData* all)
-{
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> radii;
-  radii->SetName("sphere_radius");
-  vtkDataArray* radius = all->GetPointData()->GetArray("sphere_radius");
-  for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i) {
-    std::array<double, 3> point{};
-    all->GetPoint(i, point.data());
-    if (quarter.holds(point)) continue;
-    points->InsertNextPoint(point.data());
-    radii->InsertNextValue(radius->GetTuple1(i));
-  }
-  auto left = vtkSmartPointer<vtkPolyData>::New();
-  left->SetPoints(points);
-  left->GetPointData()->AddArray(radii);
-  return left;
 }
 
 void add_sleeve(vtkRenderer* renderer, vtkPolyData* sleeve, const Quarter& quarter,
@@ -101,17 +78,19 @@ void add_sleeve(vtkRenderer* renderer, vtkPolyData* sleeve, const Quarter& quart
 
 }  // namespace
 
-void draw_sleeve(const std::filesystem::path& file, const SleeveFiles& frame,
+void draw_sleeve(const std::filesystem::path& file, const FrameWithGrains& frame,
                  const std::string& caption)
 {
-  const vtkSmartPointer<vtkPolyData> sleeve = sleeve_of(frame.sleeve);
+  const vtkSmartPointer<vtkPolyData> sleeve = sleeve_of(frame.file);
   const auto map = colors_for(sleeve->GetCellData()->GetScalars());
   const double* bounds = sleeve->GetBounds();
   const Quarter quarter{0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3])};
 
   vtkNew<vtkRenderer> renderer;
   add_sleeve(renderer, sleeve, quarter, map);
-  add_spheres(renderer, grains_outside(quarter, grain_spheres(frame.grains)), nullptr);
+  const vtkSmartPointer<vtkPolyData> grains = grain_spheres(frame.grains);
+  const auto outside = [&](vtkIdType i) { return !quarter.holds(grains->GetPoint(i)); };
+  add_spheres(renderer, spheres_where(grains, outside), nullptr);
   add_color_bar(renderer, map, "hoop tension [kN/m]");
   add_caption(renderer, caption);
   draw_scene(file, renderer, from_azimuth);

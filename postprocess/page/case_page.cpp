@@ -23,7 +23,7 @@ namespace encased_column {
 
 namespace {
 
-constexpr int picture_width = 800;  // px
+constexpr int large_picture_width = 800;  // px
 
 using Sets = std::vector<SetResult>;
 
@@ -144,7 +144,7 @@ std::string case_page(const TestResult& test, const Targets& targets,
   const CaseRun& run = *test.run;
   const Sets sets{{run.set(), {test}, {}}};
   const RunRecord record = read_run_record(run.folder);
-  const std::vector<Picture> found = pictures_of(run, pictures, picture_width);
+  const std::vector<Picture> found = pictures_of(run, pictures, large_picture_width);
 
   PageData page;
   page.set("title", run.title);
@@ -171,7 +171,7 @@ std::string case_page(const TestResult& test, const Targets& targets,
   page.set("has_pictures", found.empty() ? PageData::type::bool_false : PageData::type::bool_true);
   page.set("picture_list", pictures_data(found));
   set_table(page, "counterparts", "Figures of the study and their counterparts on this page",
-            counterpart_rows(test, all, found.size()));
+            counterpart_rows(test, all, found));
   return filled(page_templates::case_page, page);
 }
 

@@ -1,5 +1,7 @@
 #include "page/counterparts.h"
 
+#include <algorithm>
+
 namespace encased_column {
 
 namespace {
@@ -10,6 +12,7 @@ struct Counterpart {
   std::string study, shows;
   std::string figure;  ///< what the name of the figure begins with
   Needs needs;
+  std::vector<std::string> pictures{};  ///< names of their kinds
 };
 
 const std::vector<Counterpart> counterparts{
@@ -17,11 +20,15 @@ const std::vector<Counterpart> counterparts{
     {"7a", "deviatoric stress over axial strain, encased", "deviatoric_stress", Needs::encased},
     {"7b", "failure lines", "p_q", Needs::series},
     {"8", "radial strain at three heights", "radial_strain", Needs::sleeve},
-    {"9", "shape and displacement after shear", "", Needs::pictures},
+    {"9",
+     "shape, displacement and shear bands after shear",
+     "",
+     Needs::pictures,
+     {"specimen", "hoop_tension", "shear_band"}},
     {"11a", "pressure over displacement", "pressure_displacement", Needs::nothing},
     {"11b", "radial displacement along the height", "radial_profile", Needs::sleeve},
     {"12", "axial and radial stress along the height", "column_stress", Needs::spheres},
-    {"13", "contact forces (here as statistics)", "contact_force", Needs::spheres},
+    {"13", "contact forces and force chains", "contact_force", Needs::spheres, {"force_chains"}},
     {"14", "porosity over displacement and height", "column_porosity", Needs::spheres},
     {"15", "coordination number over displacement and height", "column_coordination",
      Needs::spheres},
@@ -51,21 +58,28 @@ std::string reason(Needs needs)
 }
 
 std::string stands_beside(const Counterpart& row, const TestResult& test,
-                          const std::vector<Figure>& figures, std::size_t pictures)
+                          const std::vector<Figure>& figures, const std::vector<Picture>& pictures)
 {
-  if (row.needs == Needs::pictures && pictures > 0) return "Pictures";
   if (row.needs == Needs::series) return reason(row.needs);
   if (row.needs == Needs::plain && test.run->encased()) return reason(row.needs);
   if (row.needs == Needs::encased && !test.run->encased()) return reason(row.needs);
+  std::string found;
   for (const Figure& figure : figures)
-    if (!row.figure.empty() && figure.name.rfind(row.figure, 0) == 0) return figure.title;
-  return reason(row.needs);
+    if (found.empty() && !row.figure.empty() && figure.name.rfind(row.figure, 0) == 0)
+      found = figure.title;
+  std::string shown = found.empty() ? "Pictures: " : "; pictures: ";
+  for (const Picture& picture : pictures)
+    if (std::find(row.pictures.begin(), row.pictures.end(), picture.name) != row.pictures.end()) {
+      found += shown + picture.title;
+      shown = ", ";
+    }
+  return found.empty() ? reason(row.needs) : found;
 }
 
 }  // namespace
 
 Rows counterpart_rows(const TestResult& test, const std::vector<Figure>& figures,
-                      std::size_t pictures)
+                      const std::vector<Picture>& pictures)
 {
   Rows rows{{"figure of the study", "what it shows", "here"}};
   for (const Counterpart& row : counterparts)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drawing/figure.h"
+#include "page/page_parts.h"
 #include "report/evaluation.h"
 #include "report/text_layout.h"
 
@@ -8,9 +9,9 @@
 
 namespace encased_column {
 
-/// Each figure of the study's results and which of `figures` and `pictures` (their number) of the
-/// run `test` stands beside it, or why none does; below a row of headings.
+/// Each figure of the study's results and which of `figures` and `pictures` of the run `test`
+/// stand beside it, or why none does; below a row of headings.
 Rows counterpart_rows(const TestResult& test, const std::vector<Figure>& figures,
-                      std::size_t pictures);
+                      const std::vector<Picture>& pictures);
 
 }  // namespace encased_column

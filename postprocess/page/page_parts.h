@@ -27,6 +27,8 @@ PageData figures_data(const std::vector<Figure>& figures);
 
 /// A 3-D picture and what it shows.
 struct Picture {
+  std::string name;   ///< of its kind
+  std::string title;  ///< in a word or two
   PictureData image;
   std::string caption, alternative;
 };

@@ -20,10 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int picture_width = 400;  // px
+constexpr int small_picture_width = 400;  // px
 
 /// The tests of a set are called encased or plain.
-std::string kind(const SetResult& set)
+std::string heading_of(const SetResult& set)
 {
   return set.tests.front().run->encased() ? "Encased" : "Plain";
 }
@@ -77,7 +77,7 @@ void set_results(PageData& page, const std::vector<SetResult>& sets, const Targe
     }
     tables << table_data(
         "results_" + set.set,
-        kind(set) + " triaxial tests, q from the " + platen_name(set.tests.front().platen),
+        heading_of(set) + " triaxial tests, q from the " + platen_name(set.tests.front().platen),
         without(rows, "unit"), "quantity");
     for (const std::string& note : result_notes(set)) notes << PageData{"sentence", note};
   }
@@ -107,10 +107,10 @@ std::string series_page(const std::vector<SetResult>& sets, const Targets& targe
   std::size_t tests = 0;
   std::vector<Picture> pictures;
   for (const SetResult& set : sets) {
-    kinds += kinds.empty() ? kind(set) : " and encased";  // plain tests come first
+    kinds += kinds.empty() ? heading_of(set) : " and encased";  // plain tests come first
     tests += set.tests.size();
     for (const TestResult& test : set.tests)
-      for (Picture& picture : pictures_of(*test.run, folder / "figures", picture_width))
+      for (Picture& picture : pictures_of(*test.run, folder / "figures", small_picture_width))
         pictures.push_back(std::move(picture));
   }
   page.set("title", kinds + " triaxial tests: series " + fs::canonical(folder).filename().string());

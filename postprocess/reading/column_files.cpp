@@ -1,9 +1,9 @@
 #include "reading/column_files.h"
 
 #include "analysis/sampled_curve.h"
-#include "report/text_layout.h"
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 namespace encased_column {
@@ -60,10 +60,11 @@ std::vector<ContactSample> read_contacts(const CaseRun& run)
   fill(rows, &ContactSample::contacts, table.numbers("contacts [-]"));
   fill(rows, &ContactSample::mean_force, table.numbers("mean_force [N]"));
   fill(rows, &ContactSample::largest_force, table.numbers("largest_force [N]"));
-  for (std::size_t level = 0; level < force_levels.size(); ++level) {
-    const std::vector<double> shares =
-        table.numbers("share_above_" + fixed(force_levels[level], 0) + "N [-]");
-    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].share[level] = shares[row];
+  for (const std::string& heading : table.headings()) {
+    const std::optional<double> level = level_of_share(heading);
+    if (!level) continue;
+    const std::vector<double> shares = table.numbers(heading);
+    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].share[*level] = shares[row];
   }
   return rows;
 }

@@ -13,7 +13,7 @@ namespace encased_column {
 /// missing or holds a word that is no number.
 std::vector<SphereSeries> read_spheres(const CaseRun& run);
 
-/// Reads contacts.csv in the same way; none if the run wrote none.
+/// Reads contacts.csv in the same way, with the force levels it has; none if the run wrote none.
 std::vector<ContactSample> read_contacts(const CaseRun& run);
 
 }  // namespace encased_column

@@ -27,16 +27,17 @@ std::optional<GrainFile> last_grain_file(const fs::path& folder)
   return GrainFile{file, static_cast<long>(reader->GetOutput()->GetNumberOfPoints())};
 }
 
-std::optional<SleeveFiles> last_sleeve_files(const fs::path& folder)
+std::optional<FrameWithGrains> last_frame_with_grains(const fs::path& folder,
+                                                      const std::string& series)
 {
-  const fs::path sleeves = folder / "sleeve" / "sleeve.pvd";
+  const fs::path others = folder / series / (series + ".pvd");
   const fs::path grains = folder / "grains" / "grains.pvd";
-  if (!fs::exists(sleeves) || !fs::exists(grains)) return std::nullopt;
-  const auto sleeve_at = frame_files(sleeves), grains_at = frame_files(grains);
-  for (auto frame = sleeve_at.rbegin(); frame != sleeve_at.rend(); ++frame) {
+  if (!fs::exists(others) || !fs::exists(grains)) return std::nullopt;
+  const auto other_at = frame_files(others), grains_at = frame_files(grains);
+  for (auto frame = other_at.rbegin(); frame != other_at.rend(); ++frame) {
     const auto same = grains_at.find(frame->first);
     if (same != grains_at.end() && fs::exists(frame->second) && fs::exists(same->second))
-      return SleeveFiles{frame->second, same->second};
+      return FrameWithGrains{frame->second, same->second};
   }
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace encased_column {
 
@@ -15,13 +16,15 @@ struct GrainFile {
 /// InputError if the collection or the last file it names cannot be read.
 std::optional<GrainFile> last_grain_file(const std::filesystem::path& folder);
 
-/// The sleeve and the grains in it at the same time.
-struct SleeveFiles {
-  std::filesystem::path sleeve, grains;
+/// What else a run wrote, as its sleeve or its contacts, and the grains at the same time.
+struct FrameWithGrains {
+  std::filesystem::path file, grains;
 };
 
-/// The last time of which `folder` holds both sleeve/sleeve.pvd and grains/grains.pvd; nothing if
-/// there is none, as in plain runs. Throws InputError if a collection cannot be read.
-std::optional<SleeveFiles> last_sleeve_files(const std::filesystem::path& folder);
+/// The last time of which `folder` holds a file of both `series`/`series`.pvd and
+/// grains/grains.pvd; nothing if there is none, as of the sleeve in plain runs. Throws InputError
+/// if a collection cannot be read.
+std::optional<FrameWithGrains> last_frame_with_grains(const std::filesystem::path& folder,
+                                                      const std::string& series);
 
 }  // namespace encased_column

@@ -65,6 +65,13 @@ bool TextTable::has(const std::string& column) const
   return columns_.count(column) > 0;
 }
 
+std::vector<std::string> TextTable::headings() const
+{
+  std::vector<std::string> headings;
+  for (const auto& [name, words] : columns_) headings.push_back(name);
+  return headings;
+}
+
 const std::vector<std::string>& TextTable::words(const std::string& column) const
 {
   const auto found = columns_.find(column);

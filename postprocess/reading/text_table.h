@@ -18,6 +18,7 @@ class TextTable {
 
   std::size_t rows() const { return rows_; }
   bool has(const std::string& column) const;
+  std::vector<std::string> headings() const;
 
   /// The words below the heading `column`; throws InputError if there is none.
   const std::vector<std::string>& words(const std::string& column) const;

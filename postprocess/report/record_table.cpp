@@ -75,13 +75,13 @@ Rows record_rows(const TestResult& test, const RunRecord& record)
 Rows contact_rows(const TestResult& test)
 {
   Rows rows{{"axial strain [%]", "contacts [-]", "mean force [N]", "largest force [N]"}};
-  for (const double level : force_levels)
-    rows.front().push_back("above " + in_words(level) + " N [%]");
   if (test.contacts.empty()) return rows;
+  for (const auto& [level, share] : test.contacts.front().share)
+    rows.front().push_back("above " + in_words(level) + " N [%]");
   for (const ContactSample& sample : {test.contacts.front(), test.contacts.back()}) {
     rows.push_back({fixed(100.0 * sample.axial_strain, 1), fixed(sample.contacts, 0),
                     fixed(sample.mean_force, 2), fixed(sample.largest_force, 1)});
-    for (const double share : sample.share) rows.back().push_back(fixed(100.0 * share, 2));
+    for (const auto& [level, share] : sample.share) rows.back().push_back(fixed(100.0 * share, 2));
   }
   return rows;
 }

@@ -1,5 +1,6 @@
 // A series made of closed forms: a plain test and an encased one of constant volume that mobilises
 // 36.4 deg, with the study's sleeve (J 115 kN/m, R 50 mm, H 200 mm), both at 50 kPa.
+#include "closed_form_case.h"
 #include "support/child_program.h"
 
 #include <gtest/gtest.h>
@@ -13,35 +14,6 @@ using namespace encased_column::testing;
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double sigma3 = 50e3;                                     // Pa
-constexpr double kp_of_core = 3.92, core_radial = 100e3;            // -, Pa
-constexpr double q_top = 900e3, q_bottom = 300e3, q_plain = 146e3;  // Pa
-
-void write_case(const fs::path& folder, const std::string& kind, bool core = true)
-{
-  fs::create_directories(folder);
-  std::ofstream(folder / "case.json")
-      << "{\"id\": \"" << kind << "\", \"deck\": \"triaxial_" << kind
-      << "\", \"variables\": {\"sigma3\": 50000, \"radius\": 0.05, \"resolution\": \"quick\"}}\n";
-  const bool encased = kind == "encased";
-  std::ofstream history(folder / "history.csv");
-  history << "axial_strain [-],stress_top [Pa],stress_bottom [Pa],confining_stress [Pa],"
-             "deviatoric_stress_top [Pa],deviatoric_stress_bottom [Pa],volumetric_strain [-],"
-             "height [m],porosity [-],porosity_less_overlap [-],radial_strain_25 [-],"
-             "radial_strain_50 [-],radial_strain_75 [-],unbalanced_average [-],"
-             "inertial_number [-],energy_error [-],"
-          << (core ? "core_axial_stress [Pa],core_radial_stress [Pa]\n" : "-,-\n");
-  for (int i = 0; i <= 220; ++i) {
-    const double strain = 0.001 * i, share = i == 0 ? 0.0 : 1.0;
-    const double top = share * (encased ? q_top : q_plain);
-    const double bottom = share * (encased ? q_bottom : q_plain);
-    history << strain << ',' << sigma3 + top << ',' << sigma3 + bottom << ',' << sigma3 << ','
-            << top << ',' << bottom << ",0," << 0.2 * (1.0 - strain) << ",0.34,0.35,"
-            << -0.25 * strain << ',' << -0.5 * strain << ',' << -0.75 * strain << ",1e-6,1e-4,1e-4,"
-            << kp_of_core * core_radial << ',' << core_radial << '\n';
-  }
-}
 
 void write_sleeve(const fs::path& folder)
 {
