@@ -4,6 +4,7 @@
 #include "drawing/load_figures.h"
 #include "drawing/run_figures.h"
 #include "drawing/run_pictures.h"
+#include "drawing/scene.h"
 #include "drawing/sleeve_figures.h"
 #include "drawing/triaxial_figures.h"
 #include "page/case_page.h"
@@ -29,6 +30,7 @@ struct Settings {
   fs::path targets, output;
   std::optional<Platen> platen;
   bool no_pictures = false;
+  bool draft = false;
   bool pictures_only = false;  ///< set when started again under a virtual display
 };
 
@@ -73,6 +75,7 @@ void write_tables(const Settings& settings, const std::vector<SetResult>& sets,
 void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
                    const Targets& targets)
 {
+  if (settings.draft) draw_drafts();
   const fs::path folder = settings.output / "figures";
   create_folder(folder);
   draw_figures(folder, triaxial_figures(sets, targets));
@@ -133,6 +136,7 @@ int main(int count, char** words)
   app.add_option("--platen", platen, "platen that q is read from [plain: mean, encased: bottom]")
       ->check(CLI::IsMember({"top", "bottom", "mean"}));
   app.add_flag("--no-pictures", settings.no_pictures, "tables only");
+  app.add_flag("--draft", settings.draft, "3-D pictures with ragged edges, in a third of the time");
   app.add_flag("--pictures-only", settings.pictures_only, "pictures only, no tables");
   try {
     app.parse(count, words);

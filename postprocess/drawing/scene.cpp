@@ -23,7 +23,7 @@ namespace encased_column {
 namespace {
 
 constexpr int width = 1200, height = 1500;
-constexpr int finer = 2;       // pixels drawn for each one kept, in both directions
+int finer = 2;                 // pixels drawn for each one kept, in both directions
 constexpr int bar_parts = 10;  // intervals of the colour bar, at most
 
 void aim(vtkRenderer* renderer, double azimuth)
@@ -76,6 +76,11 @@ vtkSmartPointer<vtkColorTransferFunction> colors_for(vtkDataArray* values)
   if (!(high > low)) return viridis(0.0, 1.0);
   const RoundRange range = round_range(low, high, bar_parts);
   return viridis(range.low, range.high);
+}
+
+void draw_drafts()
+{
+  finer = 1;
 }
 
 void add_color_bar(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title)

@@ -19,6 +19,9 @@ vtkSmartPointer<vtkColorTransferFunction> viridis(double low, double high);
 /// are rounded away from zero.
 vtkSmartPointer<vtkColorTransferFunction> colors_for(vtkDataArray* values);
 
+/// Draws from now on without smoothing: ragged edges, in a third of the time.
+void draw_drafts();
+
 /// A bar with the colors of `map` at the right edge, titled with quantity and unit.
 void add_color_bar(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title);
 
