@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/contact_row.h"
+#include "core/vector_row.h"
 
 namespace encased_column {
 
@@ -52,12 +53,7 @@ class RollingRow : public ContactRow {
   double roll(double dt, double step);
   double roll_one(int n, double dt, double step);
 
-  struct Vectors {
-    Numbers x, y, z;
-    Vec3 at(int n) const { return {x[n], y[n], z[n]}; }
-    void set(int n, const Vec3& v) { x[n] = v.x(), y[n] = v.y(), z[n] = v.z(); }
-  };
-  Vectors turning_, torque_;  ///< spin of i less that of j [rad/s]; resisting torque [N m]
+  VectorRow<size> turning_, torque_;  ///< spin of i less that of j [rad/s]; resisting torque [N m]
   Numbers rolling_friction_;
   double rolling_loss_ = 0.0;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/vec3.h"
+#include "core/vector_row.h"
 #include "shell/surface_mesh.h"
 
 #include <vector>
@@ -43,12 +43,6 @@ class FacetRows {
     Numbers area, gradient[4], bending[symmetric];
   };
   struct InRow;
-  /// A vector of each facet, component by component.
-  struct Vectors {
-    Numbers x, y, z;
-    Vec3 at(int n) const { return {x[n], y[n], z[n]}; }
-    void set(int n, const Vec3& v) { x[n] = v.x(), y[n] = v.y(), z[n] = v.z(); }
-  };
 
   double resolve(const Row& row, int first, int last);
   double resolve_one(const Row& row, int n);
@@ -56,7 +50,7 @@ class FacetRows {
   std::vector<Row> rows_;
   Mat3 membrane_;
   /// Of the nodes of the row at hand: in, then out.
-  alignas(64) Vectors position_[3], director_[3], force_[3], moment_[3];
+  alignas(64) VectorRow<size> position_[3], director_[3], force_[3], moment_[3];
 };
 
 }  // namespace encased_column

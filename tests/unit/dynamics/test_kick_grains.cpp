@@ -55,9 +55,9 @@ TEST(KickGrains, DoesWhatHalfAKickDoesToEveryGrain)
     for (int i = 0; i < count; ++i) {
       const double m = one_by_one.mass[i], inertia = 0.4 * m * std::pow(one_by_one.radius[i], 2);
       loss += kick(&one_by_one.force[3 * i], alpha, half_step / m, half_step,
-                        &one_by_one.velocity[3 * i]);
+                   &one_by_one.velocity[3 * i]);
       loss += kick(&one_by_one.moment[3 * i], alpha, half_step / inertia, half_step,
-                        &one_by_one.spin[3 * i]);
+                   &one_by_one.spin[3 * i]);
     }
     const RowKick kick = kick_grains(together.row(), alpha, half_step);
     for (int k = 0; k < 3 * count; ++k) {
