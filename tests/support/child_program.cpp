@@ -81,6 +81,8 @@ Outcome run_program(const std::vector<std::string>& words, const fs::path& folde
   const TemporaryFolder own;
   const std::string screen = own.path() / "screen";
   const std::string where = folder;
+  // Ranks alone share one folder of Open MPI's, which the first to end removes under the others.
+  setenv("OMPI_MCA_orte_tmpdir_base", own.path().c_str(), 1);
 
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot start " + words.front());
