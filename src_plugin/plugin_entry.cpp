@@ -1,5 +1,6 @@
 #include "plugin_entry.h"
 
+#include "dynamics/fix_gravity_of_motion.h"
 #include "shell/fix_wall_of_sleeves.h"
 #include "style_table.h"
 
@@ -49,6 +50,7 @@ void register_fixes(LAMMPS_NS::LAMMPS* lmp)
   auto& fixes = *(lmp->modify->*reveal(FixMap()));
   if (fixes.at("wall/gran") != make_any_wall) host_wall = fixes.at("wall/gran");
   fixes["wall/gran"] = make_any_wall;
+  fixes["gravity"] = FixGravityOfMotion::make;
   for (const Style& style : style_table())
     if (const auto* create = std::get_if<FixCreator>(&style.maker.create))
       fixes[style.name] = *create;

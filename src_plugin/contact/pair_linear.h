@@ -1,12 +1,12 @@
 #pragma once
 
+#include "contact/listed_pairs.h"
 #include "contact/model_linear.h"
 #include "contact/pair_list.h"
 #include "contact/pair_loop.h"
+#include "contact/touching_pairs.h"
 #include "core/input_error.h"
 #include "host/grain_arrays.h"
-
-#include "neigh_list.h"
 
 namespace encased_column {
 
@@ -58,7 +58,7 @@ class PairLinear
 
   void compute_force(PairGran* pair, int eflag, int vflag, int addflag) override
   {
-    list_.update(pair);
+    if (list_.update(pair)) pairs_.take(*pair->list, pair->dnum());
     if (loop_ == PairLoop::host || wants_host_loop(pair, eflag, vflag)) {
       HostLoop::compute_force(pair, eflag, vflag, addflag);
       return;
@@ -69,9 +69,9 @@ class PairLinear
     const GrainArrays grains(lmp_->atom);
     const bool advance = pair->computeflag() && pair->shearupdate();
     if (loop_ == PairLoop::rows && desk_.uses_rows())
-      press_in_rows(grains, pair, advance);
+      press_in_rows(grains, advance);
     else
-      press_one_by_one(grains, pair, advance);
+      press_one_by_one(grains, advance);
   }
 
  private:
@@ -83,47 +83,34 @@ class PairLinear
            !pair->computeflag();
   }
 
-  /// Calls `found(j, memory)` for every neighbour of grain i that it touches. Those are picked out
-  /// first, without a branch: which ones touch cannot be guessed.
+  /// Calls `found(i, j, memory)` for all pairs that touch.
   template <typename Found>
-  void find_contacts_of(const GrainArrays& grains, PairGran* pair, int i, const Found& found)
+  void find_contacts(GrainArrays grains, const Found& found)
   {
-    const LAMMPS_NS::NeighList& list = *pair->list;
-    const int count = list.numneigh[i];
-    const int* __restrict neighbors = list.firstneigh[i];
-    int* __restrict flags = pair->listgranhistory->firstneigh[i];
-    double* __restrict memories = pair->listgranhistory->firstdouble[i] + memory_;
-    const int stride = pair->dnum();
-    const Vec3 x_i = as_vec3(grains.x + 3 * i);
-    const double radius = grains.radius[i];
-    constexpr int most = 64;
-    int touched[most];
-
-    for (int first = 0; first < count; first += most) {
-      const int end = std::min(first + most, count);
-      int number = 0;
-      for (int n = first; n < end; ++n) {
-        const int j = neighbors[n] & NEIGHMASK;
-        const double reach = radius + grains.radius[j];
-        const bool touches = (as_vec3(grains.x + 3 * j) - x_i).squaredNorm() < reach * reach;
-        flags[n] = -static_cast<int>(touches) & touching;
-        touched[number] = n;
-        number += touches;
+    const int stride = parent_->dnum();
+    int touching[longest_block];
+    for (const ListedPairs::Page& page : pairs_.pages())
+      for (int begin = page.begin; begin < page.end; begin += longest_block) {
+        const int* const first = pairs_.first() + begin;
+        const int* const second = pairs_.second() + begin;
+        const int number = find_touching_pairs(
+            grains.x, grains.radius, first, second, std::min(longest_block, page.end - begin),
+            touching_flag, page.flags + (begin - page.begin), touching);
+        double* const memories = page.memories + (begin - page.begin) * stride + memory_;
+        for (int m = 0; m < number; ++m)
+          found(first[touching[m]], second[touching[m]], memories + touching[m] * stride);
       }
-      for (int m = 0; m < number; ++m)
-        found(neighbors[touched[m]] & NEIGHMASK, memories + touched[m] * stride);
-    }
   }
 
-  static ContactBody body(const GrainArrays& grains, int i)
+  static ContactBody body(GrainArrays grains, int i)
   {
     return {grains.radius[i], as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)};
   }
 
   /// A pair across a border of ranks is found on both of them.
-  static double share_of(const GrainArrays& grains, int j) { return j < grains.owned ? 1.0 : 0.5; }
+  static double share_of(GrainArrays grains, int j) { return j < grains.owned ? 1.0 : 0.5; }
 
-  static void push(const GrainArrays& grains, int i, int j, const Vec3& force, const Vec3& moment_i,
+  static void push(GrainArrays grains, int i, int j, const Vec3& force, const Vec3& moment_i,
                    const Vec3& moment_j)
   {
     as_vec3(grains.force + 3 * i) += force;
@@ -133,23 +120,18 @@ class PairLinear
     as_vec3(grains.moment + 3 * j) += moment_j;
   }
 
-  void press_in_rows(const GrainArrays& grains, PairGran* pair, bool advance)
+  void press_in_rows(GrainArrays grains, bool advance)
   {
-    const LAMMPS_NS::NeighList& list = *pair->list;
-    for (int n = 0; n < list.inum; ++n) {
-      const int i = list.ilist[n];
-      const ContactBody body_i = body(grains, i);
-      const Vec3 x_i = as_vec3(grains.x + 3 * i);
-      find_contacts_of(grains, pair, i, [&](int j, double* memory) {
-        row_.add(i, j, share_of(grains, j), desk_.material(grains.type[i], grains.type[j]),
-                 as_vec3(grains.x + 3 * j) - x_i, body_i, body(grains, j), memory);
-        if (row_.is_full()) press_row(grains, advance);
-      });
-    }
+    find_contacts(grains, [&](int i, int j, double* memory) {
+      row_.add(i, j, share_of(grains, j), desk_.material(grains.type[i], grains.type[j]),
+               as_vec3(grains.x + 3 * j) - as_vec3(grains.x + 3 * i), body(grains, i),
+               body(grains, j), memory);
+      if (row_.is_full()) press_row(grains, advance);
+    });
     press_row(grains, advance);
   }
 
-  void press_row(const GrainArrays& grains, bool advance)
+  void press_row(GrainArrays grains, bool advance)
   {
     desk_.resolve(row_, advance);
     for (int n = 0; n < row_.count(); ++n)
@@ -157,37 +139,33 @@ class PairLinear
     row_.clear();
   }
 
-  void press_one_by_one(const GrainArrays& grains, PairGran* pair, bool advance)
+  void press_one_by_one(GrainArrays grains, bool advance)
   {
-    const LAMMPS_NS::NeighList& list = *pair->list;
     const double dt = lmp_->update->dt;
     const double step = static_cast<double>(lmp_->update->ntimestep);
-    for (int n = 0; n < list.inum; ++n) {
-      const int i = list.ilist[n];
-      const ContactBody body_i = body(grains, i);
-      find_contacts_of(grains, pair, i, [&](int j, double* memory) {
-        const ContactBody body_j = body(grains, j);
-        const Vec3 apart = as_vec3(grains.x + 3 * j) - as_vec3(grains.x + 3 * i);
-        const double distance = apart.norm();
-        const double mass =
-            desk_.has_dashpots() ? effective_mass(grains.mass[i], grains.mass[j]) : 0.0;
-        const Touch touch{body_i.radius + body_j.radius - distance, apart / distance, mass, body_i,
-                          body_j};
-        const ContactAction action = resolve_contact<with_rolling>(
-            desk_.material(grains.type[i], grains.type[j]), touch, dt, step, advance, memory);
-        push(grains, i, j, action.force, action.moment_i, action.moment_j);
-        desk_.book(i, j, share_of(grains, j), advance, touch, action);
-      });
-    }
+    find_contacts(grains, [&](int i, int j, double* memory) {
+      const ContactBody body_i = body(grains, i), body_j = body(grains, j);
+      const Vec3 apart = as_vec3(grains.x + 3 * j) - as_vec3(grains.x + 3 * i);
+      const double distance = apart.norm();
+      const double mass =
+          desk_.has_dashpots() ? effective_mass(grains.mass[i], grains.mass[j]) : 0.0;
+      const Touch touch{body_i.radius + body_j.radius - distance, apart / distance, mass, body_i,
+                        body_j};
+      const ContactAction action = resolve_contact<with_rolling>(
+          desk_.material(grains.type[i], grains.type[j]), touch, dt, step, advance, memory);
+      push(grains, i, j, action.force, action.moment_i, action.moment_j);
+      desk_.book(i, j, share_of(grains, j), advance, touch, action);
+    });
   }
 
-  static constexpr int touching = LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL |
-                                  LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
+  static constexpr int touching_flag = LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL |
+                                       LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
   LAMMPS_NS::LAMMPS* lmp_;
   PairGran* parent_;
   ContactDesk desk_;
   std::conditional_t<with_rolling, RollingRow, ContactRow> row_;
   PairList list_;
+  ListedPairs pairs_;
   PairLoop loop_ = PairLoop::rows;
   int memory_ = 0;
 };

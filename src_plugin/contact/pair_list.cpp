@@ -60,7 +60,6 @@ void PairList::build(LAMMPS_NS::PairGran* pair)
   // Known only now: the host reads its exclusions after the pair styles were set up.
   if (lmp_->neighbor->exclude_setting()) {
     lmp_->neighbor->build_one(list.index);
-    built_ = built();
     return;
   }
   list.ipage->reset();
@@ -103,7 +102,6 @@ void PairList::build(LAMMPS_NS::PairGran* pair)
   }
   list.inum = owned;
   list.gnum = 0;
-  built_ = built();
   lmp_->timer->stamp(TIME_NEIGHBOR);
 }
 

@@ -25,10 +25,13 @@ class PairList {
   /// contacts remember; throws InputError for a `neighbor` style that finds no contacts.
   void take_over(LAMMPS_NS::PairGran* pair);
 
-  /// Before forces: makes the list if it is not there yet.
-  void update(LAMMPS_NS::PairGran* pair)
+  /// Before forces: makes the list if it is not there yet. True where it is a new one.
+  bool update(LAMMPS_NS::PairGran* pair)
   {
-    if (taken_over_ && built() != built_) build(pair);
+    if (built() == built_) return false;
+    if (taken_over_) build(pair);
+    built_ = built();
+    return true;
   }
 
  private:

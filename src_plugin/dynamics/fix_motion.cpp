@@ -123,6 +123,7 @@ void FixMotion::init()
     update->dt = stable_step_;
   setting_up_ = true;
   find_onlookers();
+  take_over_sums();
 }
 
 /// Atom types a grain may meet. With density scaling those of grains: of walls it hears at the
@@ -153,17 +154,21 @@ void FixMotion::setup_pre_force(int)
 {
   setting_up_ = true;
   gravity_ = gravity_of(lmp);  // a `fix gravity` behind this one knows it only when it is set up
+  sums_started_ = false;
   anew_ = max_over_ranks(anew_ ? 1.0 : 0.0, world) > 0.0;
   if (time_of_restart_) {  // the host goes on at the step of the file, but at time zero
     update->atime = *time_of_restart_;
     update->atimestep = update->ntimestep;
     time_of_restart_.reset();
   }
-  collect();
+  pre_force(0);
 }
 
+// Grains that changed their place or rank bring no sums along.
 void FixMotion::pre_force(int)
 {
+  if (starts_sums_ && (!sums_started_ || neighbor->ago == 0)) start_sums(0, atom->nlocal);
+  sums_started_ = false;
   if (wants_contacts(update->ntimestep)) collect();
 }
 

@@ -30,7 +30,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   void initial_integrate(int) override;
   void pre_force(int) override;
   void final_integrate() override;
-  void post_run() override { finish_step(); }
+  void post_run() override;
   int modify_param(int narg, char** arg) override;
   double compute_vector(int n) override;
 
@@ -67,6 +67,8 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   void find_onlookers();
   bool is_looked_at() const;  ///< the end of this step
   void finish_step();
+  void take_over_sums();
+  void start_sums(int first, int count);
   bool touches_nothing(int i) const;
   void slow_down(int i);  ///< to the free speed, where it is faster and touches nothing
   void collect();
@@ -90,6 +92,11 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   Rule rule_now() const { return {scaled_step_, safety_, stiffest_material_, rolling_}; }
   void look_anew();
   void make_heavier(int i, double inertia) override;
+  /// A grain before `end`, and after those whose momentum was kept, got heavier in this step.
+  bool gets_heavier_before(int end) const
+  {
+    return slowed_ < heavier_.size() && heavier_[slowed_].first < end;
+  }
   /// Of grains before `end` that got heavier, in the order of the list.
   void keep_momentum(int end = std::numeric_limits<int>::max());
   double kinetic_energy_of(int i) const;
@@ -112,6 +119,11 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   /// The last half kick of the step is still to come, with the first one of the next.
   bool unfinished_ = false;
   bool always_looked_at_ = false;
+  /// Sums of force and moment start here, not in the host: with the weight, in the pass over the
+  /// grains that has done with the old ones.
+  bool starts_sums_ = false;
+  bool sums_started_ = false;  ///< for the step to come
+  bool takes_weight_ = false;
   std::vector<int> looked_at_every_;  ///< steps
   /// Grains that got heavier in this step, each with its mass before over that after.
   std::vector<std::pair<int, double>> heavier_;

@@ -3,10 +3,7 @@
 
 #include "core/constants.h"
 #include "dynamics/kinetic_energy.h"
-#include "host/blind_to_velocity.h"
 #include "host/rank_sums.h"
-
-#include "output.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,30 +119,6 @@ void FixMotion::slow_down(int i)
   loss_ += 0.5 * inertia_[i] * (square - free_speed_square_);
 }
 
-// Of fixes that do not say so nobody knows.
-void FixMotion::find_onlookers()
-{
-  using namespace LAMMPS_NS::FixConst;
-  constexpr int in_between = PRE_INITIAL_INTEGRATE | INITIAL_INTEGRATE | ITERATE_IMPLICITLY |
-                             PRE_FINAL_INTEGRATE | FINAL_INTEGRATE;
-  always_looked_at_ = false;
-  looked_at_every_.clear();
-  for (int n = 0; n < modify->nfix; ++n) {
-    const LAMMPS_NS::Fix* const fix = modify->fix[n];
-    if (fix == this || dynamic_cast<const BlindToVelocity*>(fix)) continue;
-    if (modify->fmask[n] & END_OF_STEP) looked_at_every_.push_back(std::max(fix->nevery, 1));
-    if (modify->fmask[n] & in_between) always_looked_at_ = true;
-  }
-}
-
-bool FixMotion::is_looked_at() const
-{
-  const LAMMPS_NS::bigint step = update->ntimestep;
-  if (always_looked_at_ || step == update->laststep || step == output->next) return true;
-  return std::any_of(looked_at_every_.begin(), looked_at_every_.end(),
-                     [step](int every) { return step % every == 0; });
-}
-
 void FixMotion::finish_step()
 {
   if (!unfinished_) return;
@@ -170,20 +143,29 @@ void FixMotion::initial_integrate(int)
   const double dt = update->dt;
   for_rows([&](int first, int count) {
     const GrainRow grains = row(first, count);
-    if (unfinished_) {
-      loss_ += kick_grains(grains, damping_, 0.5 * dt).loss;
-      keep_momentum(first + count);
+    RowKick kick;
+    if (unfinished_ && !gets_heavier_before(first + count)) {
+      const TwoKicks kicks = kick_grains_twice(grains, damping_, 0.5 * dt);
+      loss_ += kicks.last.loss;
+      kick = kicks.first;
+    } else {
+      if (unfinished_) {
+        loss_ += kick_grains(grains, damping_, 0.5 * dt).loss;
+        keep_momentum(first + count);
+      }
+      kick = kick_grains(grains, damping_, 0.5 * dt);
     }
-    const RowKick kick = kick_grains(grains, damping_, 0.5 * dt);
     loss_ += kick.loss;
     if (3.0 * kick.fastest > free_speed_square_)
       for (int i = first; i < first + count; ++i) slow_down(i);
     double* const __restrict x = atom->x[first];
     const double* const __restrict v = atom->v[first];
     for (int k = 0; k < 3 * count; ++k) x[k] += dt * v[k];
+    if (starts_sums_) start_sums(first, count);
   });
   keep_momentum();
   unfinished_ = false;
+  sums_started_ = starts_sums_;
 }
 
 // Where nobody looks at velocities before the next step, its first half kick comes in the same pass

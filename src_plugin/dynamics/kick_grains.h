@@ -25,4 +25,11 @@ struct RowKick {
 /// machine to the last bit; the loss is to the order of its sum (1e-14).
 RowKick kick_grains(const GrainRow& row, double alpha, double half_step);
 
+/// The last half of a step and the first of the next, which begin with the same forces: as
+/// kick_grains() twice, to the last bit.
+struct TwoKicks {
+  RowKick last, first;
+};
+TwoKicks kick_grains_twice(const GrainRow& row, double alpha, double half_step);
+
 }  // namespace encased_column

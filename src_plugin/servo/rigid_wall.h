@@ -7,6 +7,7 @@
 #include "host/grain_arrays.h"
 #include "servo/wall_drive.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -120,25 +121,34 @@ void RigidWall::list_grains_near(const Shape& shape)
   near_.clear();
   listed_position_ = position();
   for (int i = 0; i < atom->nlocal; ++i)
-    if ((atom->mask[i] & groupbit) && shape.overlap(atom->x[i], atom->radius[i] + margin) > 0.0)
+    if ((atom->mask[i] & groupbit) && shape.touches(atom->x[i], atom->radius[i] + margin))
       near_.push_back(i);
 }
 
-/// Calls `found(i, touch)` for every grain that touches the wall.
+/// Calls `found(i, touch)` for every grain that touches the wall. Those are picked out first,
+/// without a branch: which ones touch cannot be guessed, and a wrong guess waits for memory.
 template <typename Shape, typename Found>
 void RigidWall::find_contacts(const Shape& shape, const GrainArrays& grains, const Found& found)
 {
-  for (const int i : near_) {
-    const double radius = grains.radius[i];
-    const double* const center = grains.x + 3 * i;
-    const double overlap = shape.overlap(center, radius);
-    if (overlap <= 0.0) continue;
-    const Vec3 normal = shape.normal(center);
-    found(i, Touch{overlap,
-                   normal,
-                   desk_.has_dashpots() ? grains.mass[i] : 0.0,
-                   {radius, as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
-                   {0.0, -speed_ * normal, Vec3::Zero()}});
+  constexpr int most = 64;
+  int touching[most];
+  const int all = static_cast<int>(near_.size());
+  for (int first = 0; first < all; first += most) {
+    int number = 0;
+    for (int n = first; n < std::min(first + most, all); ++n) {
+      touching[number] = near_[n];
+      number += shape.touches(grains.x + 3 * near_[n], grains.radius[near_[n]]);
+    }
+    for (int m = 0; m < number; ++m) {
+      const int i = touching[m];
+      const double* const center = grains.x + 3 * i;
+      const Vec3 normal = shape.normal(center);
+      found(i, Touch{std::max(shape.overlap(center, grains.radius[i]), 0.0),
+                     normal,
+                     desk_.has_dashpots() ? grains.mass[i] : 0.0,
+                     {grains.radius[i], as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
+                     {0.0, -speed_ * normal, Vec3::Zero()}});
+    }
   }
 }
 

@@ -14,6 +14,8 @@ struct PlaneShape {
 
   /// Overlap [m] of a sphere with the wall; negative is a gap.
   double overlap(const double* x, double radius) const { return radius - outward * (z - x[2]); }
+  /// overlap() > 0.
+  bool touches(const double* x, double radius) const { return overlap(x, radius) > 0.0; }
   /// Unit vector from a sphere at `x` to the wall.
   Vec3 normal(const double*) const { return Vec3(0.0, 0.0, outward); }
   /// Moves the face by `distance` [m] towards the specimen.
@@ -25,14 +27,17 @@ struct CylinderShape {
   double radius = 0.0;  ///< [m]
   double x = 0.0, y = 0.0;
 
-  /// Overlap [m] of a sphere with the wall; negative is a gap. Where the sphere is well inside, any
-  /// negative number will do, and no square root is taken.
+  /// Overlap [m] of a sphere with the wall; negative is a gap.
   double overlap(const double* center, double r) const
   {
     const double dx = center[0] - x, dy = center[1] - y;
-    const double square = dx * dx + dy * dy;
-    const double free = radius - r;
-    return square < free * free && free > 0.0 ? -1.0 : std::sqrt(square) - free;
+    return std::sqrt(dx * dx + dy * dy) - (radius - r);
+  }
+  /// overlap() > 0 but for round-off, without a square root.
+  bool touches(const double* center, double r) const
+  {
+    const double dx = center[0] - x, dy = center[1] - y, free = radius - r;
+    return static_cast<int>(dx * dx + dy * dy > free * free) | static_cast<int>(free < 0.0);
   }
   Vec3 normal(const double* center) const
   {

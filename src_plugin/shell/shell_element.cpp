@@ -1,6 +1,6 @@
 #include "shell/shell_element.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/eigenvalues.h"
 
 #include <algorithm>
 
@@ -146,8 +146,7 @@ StiffnessBound ShellElement::stiffness_bound(const ShellMaterial& material,
       to_tilt(2 * a + 1, 4 + 2 * a) = 1.0 / length;
     }
     const PlateStiffness whole = to_tilt.transpose() * reference_.bending * to_tilt;
-    Eigen::SelfAdjointEigenSolver<PlateStiffness> solver(whole, Eigen::EigenvaluesOnly);
-    bending = solver.eigenvalues()(8);
+    bending = symmetric_eigenvalues(whole)(8);
   }
   return {std::max(in_plane, across + bending), bending * square};
 }

@@ -88,3 +88,18 @@ TEST(KickGrains, LossIsTheWorkOfTheForcesLessTheGainInEnergy)
   }
   EXPECT_NEAR(loss, work - gain, 1e-10 * std::abs(loss));
 }
+
+TEST(KickGrains, TwiceIsTwoKicksToTheLastBit)
+{
+  for (const int count : {1, 7, 50, longest_row}) {
+    Grains together(count), in_turn(count);
+    const TwoKicks kicks = kick_grains_twice(together.row(), 0.7, 1e-4);
+    const RowKick last = kick_grains(in_turn.row(), 0.7, 1e-4);
+    const RowKick first = kick_grains(in_turn.row(), 0.7, 1e-4);
+    EXPECT_EQ(together.velocity, in_turn.velocity);
+    EXPECT_EQ(together.spin, in_turn.spin);
+    EXPECT_NEAR(kicks.last.loss, last.loss, 1e-14 * std::abs(last.loss));
+    EXPECT_NEAR(kicks.first.loss, first.loss, 1e-14 * std::abs(first.loss));
+    EXPECT_EQ(kicks.first.fastest, first.fastest);
+  }
+}

@@ -1,10 +1,9 @@
 #include "shell/dkt_bending.h"
 
+#include "core/eigenvalues.h"
 #include "shell_cases.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/Eigenvalues>
 
 using namespace encased_column;
 
@@ -60,8 +59,8 @@ TEST(DktBending, HasThreeRigidMotionsAndSixStiffModes)
   for (const PlateVector& rigid :
        {quadratic(1, 0, 0, 0, 0, 0), quadratic(0, 1, 0, 0, 0, 0), quadratic(0, 0, 1, 0, 0, 0)})
     EXPECT_NEAR((stiffness * rigid).norm() / stiffness.norm(), 0.0, 1e-14);
-  const Eigen::SelfAdjointEigenSolver<PlateStiffness> solver(stiffness, Eigen::EigenvaluesOnly);
-  EXPECT_GT(solver.eigenvalues()(3), 1e-6 * solver.eigenvalues()(8));
+  const Eigen::VectorXd modes = symmetric_eigenvalues(stiffness);
+  EXPECT_GT(modes(3), 1e-6 * modes(8));
 }
 
 // Three nodes at different heights lie in a turned plane: there the tilts against that plane carry

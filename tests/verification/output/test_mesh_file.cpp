@@ -134,7 +134,7 @@ TEST_F(MeshFile, IsRefusedInAnotherFormat)
 
 TEST_F(MeshFile, IsRefusedWithoutTriangles)
 {
-  for (const std::string path :
+  for (const std::string& path :
        {write("lines.vtk", vtk_text("LINES 1 3\n2 0 1\n")), write("words.stl", "hello\n"),
         write("empty.stl", ""), write("words.vtp", "hello\n"), write("words.vtk", "hello\n")})
     EXPECT_EQ(refusal(path).find("'file' must hold triangles, found none in '" + path), 0u)
