@@ -27,7 +27,6 @@ void ContactDesk::open(bool rolling)
 
   for (const ContactMaterial& m : materials_)
     if (m.damping_normal > 0.0 || m.damping_shear > 0.0) has_dashpots_ = true;
-  uses_rows_ = !has_dashpots_;
 
   const auto movers = fixes_that_are<InertiaOwner>(lmp_);
   inertia_ = movers.empty() ? nullptr : movers.front();

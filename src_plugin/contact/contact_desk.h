@@ -11,7 +11,7 @@ namespace encased_column {
 
 /// What pairs and walls share around the contact law: the materials the deck gave, the probes that
 /// listen, and the account of losses. One for each pair style, wall model and rigid wall. Contacts
-/// are resolved in rows, or one by one where the law has more to it; not by turns, since
+/// are resolved in rows or one by one, not by turns, since
 /// sums of forces in another order would not repeat a step to the last bit.
 class ContactDesk {
  public:
@@ -39,9 +39,6 @@ class ContactDesk {
   /// False where no pair of types has a dashpot: nobody then needs the effective mass.
   bool has_dashpots() const { return has_dashpots_; }
 
-  /// True where the law is that of ContactRow or RollingRow.
-  bool uses_rows() const { return uses_rows_; }
-
   /// Resolves the contacts of a row, books their losses and tells the probes.
   template <typename Row>
   void resolve(Row& row, bool advance)
@@ -51,6 +48,7 @@ class ContactDesk {
     if (!active_.empty()) tell_probes(row);
     if (!advance) return;
     losses_->friction += loss;
+    losses_->dashpots += row.dashpot_loss();
     if constexpr (std::is_same_v<Row, RollingRow>) losses_->rolling += row.rolling_loss();
     row.keep(step);
   }
@@ -83,7 +81,7 @@ class ContactDesk {
   LAMMPS_NS::LAMMPS* lmp_;
   ContactKind walls_;
   int stride_ = 0;
-  bool has_dashpots_ = false, uses_rows_ = false;
+  bool has_dashpots_ = false;
   std::vector<ContactMaterial> materials_;
   InertiaOwner* inertia_ = nullptr;
   std::vector<ContactProbe*> probes_, active_;

@@ -7,13 +7,13 @@ namespace encased_column {
 // The arithmetic of resolve_contact() and linear_contact(), written out: three components of a
 // vector are three rows here. Where a contact does not slide, what is kept is the trial itself and
 // the loss is zero without a branch.
-ENCASE_VECTOR_UNITS
-double ContactRow::resolve(double dt, double step, bool advance)
+template <bool dashpots>
+[[gnu::always_inline]] inline double ContactRow::resolve_as(double dt, double step, bool advance)
 {
   const double moves = advance ? 1.0 : 0.0, stays = 1.0 - moves, way = advance ? dt : 0.0;
   const double slack = slider_slack(advance);
-  double loss = 0.0;
-#pragma omp simd reduction(+ : loss)
+  double loss = 0.0, dashpot_loss = 0.0;
+#pragma omp simd reduction(+ : loss, dashpot_loss)
   for (int n = 0; n < count_; ++n) {
     const double ax = normal_[0][n], ay = normal_[1][n], az = normal_[2][n];
     const double r_i = radius_i_[n], r_j = radius_j_[n], length = r_i + r_j;
@@ -29,7 +29,7 @@ double ContactRow::resolve(double dt, double step, bool advance)
     const double smaller = r_j > 0.0 && r_j < r_i ? r_j : r_i;
     const double k_n = pi * smaller * smaller * modulus_[n] / length;
     const double k_t = k_n / ratio_[n];
-    const double pressing = k_n * overlap;
+    const double elastic_normal = k_n * overlap;
 
     // Arms are the radii less half the overlap.
     const double lx = rolled_[0][n] - 0.5 * overlap * spin_[0][n];
@@ -42,6 +42,14 @@ double ContactRow::resolve(double dt, double step, bool advance)
     vx = vx - closing * nx + (ly * nz - lz * ny);
     vy = vy - closing * ny + (lz * nx - lx * nz);
     vz = vz - closing * nz + (lx * ny - ly * nx);
+
+    double pressing = elastic_normal;
+    if (dashpots) {
+      const double damped =
+          elastic_normal + 2.0 * damping_normal_[n] * std::sqrt(mass_[n] * k_n) * closing;
+      pressing = damped > 0.0 ? damped : 0.0;
+      dashpot_loss += share_[n] * (pressing - elastic_normal) * closing * way;
+    }
 
     const double old = seen_[n] < step - 1.0 ? 0.0 : 1.0;  // one that was not there starts anew
     const double sx = old * spring_[0][n], sy = old * spring_[1][n], sz = old * spring_[2][n];
@@ -63,7 +71,15 @@ double ContactRow::resolve(double dt, double step, bool advance)
     spring_[1][n] = moves * ky + stays * ty;
     spring_[2][n] = moves * kz + stays * tz;
 
-    const double fx = -k_t * kx, fy = -k_t * ky, fz = -k_t * kz;
+    double fx = -k_t * kx, fy = -k_t * ky, fz = -k_t * kz;
+    if (dashpots) {
+      const double sticks = elastic > limit ? 0.0 : 1.0;  // a slider at its limit has no dashpot
+      const double c_t = sticks * 2.0 * damping_shear_[n] * std::sqrt(mass_[n] * k_t);
+      fx -= c_t * vx;
+      fy -= c_t * vy;
+      fz -= c_t * vz;
+      dashpot_loss += share_[n] * c_t * (vx * vx + vy * vy + vz * vz) * way;
+    }
     force_[0][n] = fx - pressing * nx;
     force_[1][n] = fy - pressing * ny;
     force_[2][n] = fz - pressing * nz;
@@ -74,7 +90,20 @@ double ContactRow::resolve(double dt, double step, bool advance)
     normal_stiffness_[n] = k_n;
     shear_stiffness_[n] = k_t;
   }
+  dashpot_loss_ = dashpot_loss;
   return loss;
+}
+
+ENCASE_VECTOR_UNITS
+double ContactRow::resolve_springs(double dt, double step, bool advance)
+{
+  return resolve_as<false>(dt, step, advance);
+}
+
+ENCASE_VECTOR_UNITS
+double ContactRow::resolve_with_dashpots(double dt, double step, bool advance)
+{
+  return resolve_as<true>(dt, step, advance);
 }
 
 }  // namespace encased_column

@@ -5,7 +5,7 @@
 namespace encased_column {
 
 /// Contacts side by side, so that the vector units of the machine see to several at once: as
-/// resolve_contact(), for contacts without dashpots and rolling resistance.
+/// resolve_contact(), for contacts without rolling resistance.
 ///
 /// add() takes contacts in, resolve() finds forces and moves the springs on, and whoever filled the
 /// row reads the results, keep()s what the contacts remember and starts anew with clear().
@@ -15,13 +15,14 @@ class ContactRow {
 
   bool is_full() const { return count_ == size; }
   int count() const { return count_; }
-  void clear() { count_ = 0; }
+  void clear() { count_ = 0, has_dashpots_ = false; }
 
   /// A contact of body `i` and body `j`, from whose center to whose it is `apart` [m], that counts
-  /// by `share`; a wall has the radius zero, and `apart` ends on its surface.
+  /// by `share`; a wall has the radius zero, and `apart` ends on its surface. `mass` [kg] is that
+  /// of the pair, in all contacts of a row or, without dashpots, zero in all.
   [[gnu::always_inline]] void add(int i, int j, double share, const ContactMaterial& material,
                                   const Vec3& apart, const ContactBody& body_i,
-                                  const ContactBody& body_j, double* memory)
+                                  const ContactBody& body_j, double mass, double* memory)
   {
     const int n = count_++;
     i_[n] = i;
@@ -44,11 +45,23 @@ class ContactRow {
     ratio_[n] = material.stiffness_ratio;
     friction_[n] = material.friction;
     share_[n] = share;
+    if (mass == 0.0) return;
+    has_dashpots_ = true;
+    mass_[n] = mass;
+    damping_normal_[n] = material.damping_normal;
+    damping_shear_[n] = material.damping_shear;
   }
 
   /// The step `dt` [s] that ends at step number `step`; without `advance` the forces of the last
   /// one again, to the last bit. Returns the loss of friction [J], of each contact times its share.
-  double resolve(double dt, double step, bool advance);
+  double resolve(double dt, double step, bool advance)
+  {
+    dashpot_loss_ = 0.0;
+    return has_dashpots_ ? resolve_with_dashpots(dt, step, advance)
+                         : resolve_springs(dt, step, advance);
+  }
+  /// Of the dashpots, of each contact times its share [J].
+  double dashpot_loss() const { return dashpot_loss_; }
 
   int i(int n) const { return i_[n]; }
   int j(int n) const { return j_[n]; }
@@ -84,13 +97,21 @@ class ContactRow {
  protected:
   Vec3 twist(int n) const { return {twist_[0][n], twist_[1][n], twist_[2][n]}; }
 
+  double resolve_springs(double dt, double step, bool advance);
+  double resolve_with_dashpots(double dt, double step, bool advance);
+  template <bool dashpots>
+  double resolve_as(double dt, double step, bool advance);
+
   using Numbers = double[size];
   int count_ = 0;
+  bool has_dashpots_ = false;
+  double dashpot_loss_ = 0.0;
   int i_[size], j_[size];
   double* memory_[size];
   alignas(64) Numbers normal_[3];  ///< `apart` until resolve()
   Numbers velocity_[3], rolled_[3], spin_[3], spring_[3], seen_;
   Numbers radius_i_, radius_j_, modulus_, ratio_, friction_, share_;
+  Numbers mass_, damping_normal_, damping_shear_;
   Numbers overlap_, force_[3], twist_[3], normal_force_, normal_stiffness_, shear_stiffness_, part_;
 };
 

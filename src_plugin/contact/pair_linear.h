@@ -68,7 +68,7 @@ class PairLinear
     desk_.ask_probes();
     const GrainArrays grains(lmp_->atom);
     const bool advance = pair->computeflag() && pair->shearupdate();
-    if (loop_ == PairLoop::rows && desk_.uses_rows())
+    if (loop_ == PairLoop::rows)
       press_in_rows(grains, advance);
     else
       press_one_by_one(grains, advance);
@@ -107,6 +107,11 @@ class PairLinear
     return {grains.radius[i], as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)};
   }
 
+  double mass_of(GrainArrays grains, int i, int j) const
+  {
+    return desk_.has_dashpots() ? effective_mass(grains.mass[i], grains.mass[j]) : 0.0;
+  }
+
   /// A pair across a border of ranks is found on both of them.
   static double share_of(GrainArrays grains, int j) { return j < grains.owned ? 1.0 : 0.5; }
 
@@ -125,7 +130,7 @@ class PairLinear
     find_contacts(grains, [&](int i, int j, double* memory) {
       row_.add(i, j, share_of(grains, j), desk_.material(grains.type[i], grains.type[j]),
                as_vec3(grains.x + 3 * j) - as_vec3(grains.x + 3 * i), body(grains, i),
-               body(grains, j), memory);
+               body(grains, j), mass_of(grains, i, j), memory);
       if (row_.is_full()) press_row(grains, advance);
     });
     press_row(grains, advance);
@@ -147,10 +152,8 @@ class PairLinear
       const ContactBody body_i = body(grains, i), body_j = body(grains, j);
       const Vec3 apart = as_vec3(grains.x + 3 * j) - as_vec3(grains.x + 3 * i);
       const double distance = apart.norm();
-      const double mass =
-          desk_.has_dashpots() ? effective_mass(grains.mass[i], grains.mass[j]) : 0.0;
-      const Touch touch{body_i.radius + body_j.radius - distance, apart / distance, mass, body_i,
-                        body_j};
+      const Touch touch{body_i.radius + body_j.radius - distance, apart / distance,
+                        mass_of(grains, i, j), body_i, body_j};
       const ContactAction action = resolve_contact<with_rolling>(
           desk_.material(grains.type[i], grains.type[j]), touch, dt, step, advance, memory);
       push(grains, i, j, action.force, action.moment_i, action.moment_j);

@@ -5,15 +5,15 @@
 
 namespace encased_column {
 
-/// Contacts side by side with rolling resistance: as resolve_contact<true>(), without dashpots.
+/// Contacts side by side with rolling resistance: as resolve_contact<true>().
 class RollingRow : public ContactRow {
  public:
   [[gnu::always_inline]] void add(int i, int j, double share, const ContactMaterial& material,
                                   const Vec3& apart, const ContactBody& body_i,
-                                  const ContactBody& body_j, double* memory)
+                                  const ContactBody& body_j, double mass, double* memory)
   {
     const int n = count_;
-    ContactRow::add(i, j, share, material, apart, body_i, body_j, memory);
+    ContactRow::add(i, j, share, material, apart, body_i, body_j, mass, memory);
     turning_.set(n, body_i.spin - body_j.spin);
     torque_.set(n, {memory[memory_size], memory[memory_size + 1], memory[memory_size + 2]});
     rolling_friction_[n] = material.rolling_friction;

@@ -2,7 +2,6 @@
 
 #include "core/constants.h"
 #include "core/input_error.h"
-#include "host/gravity.h"
 #include "host/pair_property.h"
 #include "host/rank_sums.h"
 
@@ -123,7 +122,6 @@ void FixMotion::init()
     update->dt = stable_step_;
   setting_up_ = true;
   find_onlookers();
-  take_over_sums();
 }
 
 /// Atom types a grain may meet. With density scaling those of grains: of walls it hears at the
@@ -153,8 +151,7 @@ bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
 void FixMotion::setup_pre_force(int)
 {
   setting_up_ = true;
-  gravity_ = gravity_of(lmp);  // a `fix gravity` behind this one knows it only when it is set up
-  sums_started_ = false;
+  take_over_sums();
   anew_ = max_over_ranks(anew_ ? 1.0 : 0.0, world) > 0.0;
   if (time_of_restart_) {  // the host goes on at the step of the file, but at time zero
     update->atime = *time_of_restart_;

@@ -3,6 +3,7 @@
 #include "dynamics/fix_motion.h"
 #include "host/blind_to_velocity.h"
 #include "host/force_clearing.h"
+#include "host/gravity.h"
 
 #include "output.h"
 
@@ -35,8 +36,11 @@ bool FixMotion::is_looked_at() const
 }
 
 // For the time of one run: the next may be another fix's. Grains outside the group are the host's.
+// What a `fix gravity` behind this one is like it knows only after its init().
 void FixMotion::take_over_sums()
 {
+  gravity_ = gravity_of(lmp);
+  sums_started_ = false;
   const auto gravities = fixes_that_are<FixGravityOfMotion>(lmp);
   starts_sums_ = igroup == 0 && !always_looked_at_;
   takes_weight_ = starts_sums_ && gravities.size() == 1 && gravities.front()->is_plain();

@@ -38,12 +38,14 @@ class FixMeasureSphere : public LAMMPS_NS::Fix, public ContactProbe, public Seri
   void add_contact(const Contact& contact) override;
 
  private:
+  static const std::vector<std::string>& columns();  ///< of a row, with units
   void read_spheres(const Options& options);
   void place_stack();
   void clear_sums();
   void take_sample();
   void warn_of_few_grains();
-  void write();
+  void write_row();
+  void write_frame();
   void stop(const std::string& path) const;
 
   std::vector<MeasuringSphere> spheres_;  ///< those that stand still, then the stack
@@ -51,6 +53,7 @@ class FixMeasureSphere : public LAMMPS_NS::Fix, public ContactProbe, public Seri
   std::string platen_ids_[2];
   FixServoPlaten* platens_[2] = {nullptr, nullptr};  ///< top, bottom
 
+  long row_every_ = 1, frame_every_ = 1;  ///< steps
   bool setting_up_ = false, warned_ = false, sampled_ = false;
   std::vector<int> contacts_of_;
   std::vector<SphereSums> sums_;       ///< of this rank, then of all

@@ -55,7 +55,8 @@ FixOutputGrains::~FixOutputGrains()
 {
   atom->delete_callback(id, 0);
   atom->delete_callback(id, 1);
-  memory->destroy(motion_);
+  memory->destroy(start_);
+  memory->destroy(rotation_);
 }
 
 void FixOutputGrains::read_keywords(int narg, char** arg)
@@ -89,11 +90,11 @@ void FixOutputGrains::setup(int)
 // The spin in the middle of the step turns a grain from its begin to its end.
 void FixOutputGrains::post_integrate()
 {
+  if (atom->nlocal == 0) return;
   const double dt = update->dt;
-  double** omega = atom->omega;
-  for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->mask[i] & groupbit)
-      for (int k = 0; k < 3; ++k) motion_[i][3 + k] += omega[i][k] * dt;
+  const double* const __restrict spin = atom->omega[0];
+  double* const __restrict rotation = rotation_[0];
+  for (int k = 0; k < 3 * atom->nlocal; ++k) rotation[k] += spin[k] * dt;
 }
 
 int FixOutputGrains::modify_param(int narg, char** arg)
@@ -144,8 +145,8 @@ GrainRecord FixOutputGrains::record_of(int i) const
   domain->unmap(atom->x[i], atom->image[i], unwrapped);
   for (int k = 0; k < 3; ++k) {
     grain.position[k] = atom->x[i][k];
-    grain.displacement[k] = unwrapped[k] - motion_[i][k];
-    grain.rotation[k] = motion_[i][3 + k];
+    grain.displacement[k] = unwrapped[k] - start_[i][k];
+    grain.rotation[k] = rotation_[i][k];
     grain.velocity[k] = atom->v[i][k];
   }
   return grain;

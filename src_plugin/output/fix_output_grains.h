@@ -45,8 +45,7 @@ class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe, public Serie
   double memory_usage() override;
 
  private:
-  /// Where displacement starts [m], then the rotation so far [rad].
-  static constexpr int values_per_grain = 6;
+  static constexpr int values_per_grain = 6;  ///< of the two arrays below
 
   void read_keywords(int narg, char** arg);
   bool contacts_are_counted() const;
@@ -61,8 +60,10 @@ class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe, public Serie
   RunClock clock_;
   std::unique_ptr<VtkSeries> series_;  ///< used on the first rank only
 
-  double** motion_ = nullptr;  ///< [grain][values_per_grain]
-  bool written_ = false;       ///< since the fix was made
+  // Apart: the rotation is added to in every step.
+  double** start_ = nullptr;     ///< [grain][3], where displacement starts [m]
+  double** rotation_ = nullptr;  ///< [grain][3], so far [rad]
+  bool written_ = false;         ///< since the fix was made
   // Set where the contact law asks, once per step and before the first contact of it.
   mutable LAMMPS_NS::bigint asked_step_ = -1;
   mutable std::vector<int> contacts_;  ///< of each grain of this rank

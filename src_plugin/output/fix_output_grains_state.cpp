@@ -10,46 +10,48 @@ namespace encased_column {
 
 void FixOutputGrains::grow_arrays(int capacity)
 {
-  memory->grow(motion_, capacity, values_per_grain, "output/grains:motion");
+  memory->grow(start_, capacity, 3, "output/grains:start");
+  memory->grow(rotation_, capacity, 3, "output/grains:rotation");
 }
 
 void FixOutputGrains::copy_arrays(int from, int to, int)
 {
-  std::copy_n(motion_[from], values_per_grain, motion_[to]);
+  std::copy_n(start_[from], 3, start_[to]);
+  std::copy_n(rotation_[from], 3, rotation_[to]);
 }
 
 /// A new grain, and every grain on `reset`, starts where it is.
 void FixOutputGrains::set_arrays(int i)
 {
-  std::fill_n(motion_[i], values_per_grain, 0.0);
-  domain->unmap(atom->x[i], atom->image[i], motion_[i]);
+  domain->unmap(atom->x[i], atom->image[i], start_[i]);
+  std::fill_n(rotation_[i], 3, 0.0);
 }
 
 int FixOutputGrains::pack_exchange(int i, double* buffer)
 {
-  std::copy_n(motion_[i], values_per_grain, buffer);
+  std::copy_n(rotation_[i], 3, std::copy_n(start_[i], 3, buffer));
   return values_per_grain;
 }
 
 int FixOutputGrains::unpack_exchange(int i, double* buffer)
 {
-  std::copy_n(buffer, values_per_grain, motion_[i]);
+  std::copy_n(buffer, 3, start_[i]);
+  std::copy_n(buffer + 3, 3, rotation_[i]);
   return values_per_grain;
 }
 
 int FixOutputGrains::pack_restart(int i, double* buffer)
 {
   buffer[0] = values_per_grain + 1;
-  std::copy_n(motion_[i], values_per_grain, buffer + 1);
-  return values_per_grain + 1;
+  return 1 + pack_exchange(i, buffer + 1);
 }
 
 /// The data of all fixes lie one behind the other, each led by its length.
 void FixOutputGrains::unpack_restart(int i, int nth)
 {
-  const double* values = atom->extra[i];
+  double* values = atom->extra[i];
   for (int fix = 0; fix < nth; ++fix) values += static_cast<int>(values[0]);
-  std::copy_n(values + 1, values_per_grain, motion_[i]);
+  unpack_exchange(i, values + 1);
 }
 
 /// The time, then the series.

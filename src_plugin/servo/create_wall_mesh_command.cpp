@@ -45,8 +45,8 @@ WallMesh mesh_of(const Options& options)
   const std::string shape = options.choice("shape", {"cylinder", "square"});
   refuse_keywords_of_the_other_shape(options, shape);
   if (shape == "cylinder")
-    return cylinder_mesh({options.number("radius"), options.number("z_low"),
-                          options.number("z_high"), options.number("edge")});
+    return cylinder_mesh(CylinderWall{options.number("radius"), options.number("z_low"),
+                                      options.number("z_high"), options.number("edge")});
   return square_mesh({options.number("half_width"), options.number("z"), options.number("edge")});
 }
 

@@ -61,8 +61,6 @@ class RigidWall : public ContactMemoryFix {
   void find_contacts(const Shape& shape, const GrainArrays& grains, const Found& found);
   template <typename Shape, typename Row>
   void press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row);
-  template <bool rolling, typename Shape>
-  void press_one_by_one(const Shape& shape, const GrainArrays& grains);
   template <typename Row>
   void press_row(const GrainArrays& grains, Row& row);
   void push(const GrainArrays& grains, int i, const Vec3& force, const Vec3& moment,
@@ -102,14 +100,10 @@ void RigidWall::press_grains_with(const Shape& shape)
     list_grains_near(shape);
   if (near_.empty()) return;
   const GrainArrays grains(atom);
-  if (desk_.uses_rows() && rolling_)
+  if (rolling_)
     press_in_rows(shape, grains, rolling_row_);
-  else if (desk_.uses_rows())
-    press_in_rows(shape, grains, row_);
-  else if (rolling_)
-    press_one_by_one<true>(shape, grains);
   else
-    press_one_by_one<false>(shape, grains);
+    press_in_rows(shape, grains, row_);
 }
 
 // A grain is at most half a skin away from where the last list of pairs found it, so it moves less
@@ -157,7 +151,8 @@ void RigidWall::press_in_rows(const Shape& shape, const GrainArrays& grains, Row
 {
   find_contacts(shape, grains, [&](int i, const Touch& touch) {
     row.add(i, -1, 1.0, desk_.material(grains.type[i], wall_type_),
-            (touch.i.radius - touch.overlap) * touch.normal, touch.i, touch.j, contact_memory(i));
+            (touch.i.radius - touch.overlap) * touch.normal, touch.i, touch.j, touch.mass,
+            contact_memory(i));
     if (row.is_full()) press_row(grains, row);
   });
   press_row(grains, row);
@@ -170,19 +165,6 @@ void RigidWall::press_row(const GrainArrays& grains, Row& row)
   for (int n = 0; n < row.count(); ++n)
     push(grains, row.i(n), row.force(n), row.moment_i(n), row.normal_force(n), row.stiffness(n));
   row.clear();
-}
-
-template <bool rolling, typename Shape>
-void RigidWall::press_one_by_one(const Shape& shape, const GrainArrays& grains)
-{
-  const double step = static_cast<double>(update->ntimestep);
-  find_contacts(shape, grains, [&](int i, const Touch& touch) {
-    const ContactAction action =
-        resolve_contact<rolling>(desk_.material(grains.type[i], wall_type_), touch, update->dt,
-                                 step, advance_memory_, contact_memory(i));
-    push(grains, i, action.force, action.moment_i, action.normal_force, action.stiffness);
-    desk_.book(i, -1, 1.0, advance_memory_, touch, action);
-  });
 }
 
 }  // namespace encased_column

@@ -130,7 +130,7 @@ void FixMeshSurfaceShell::read_mesh(const Options& options)
     mesh = read_mesh_file(options.word("file"));
   } else {
     const Vec3 size = options.vector("cylinder");
-    mesh = cylinder_mesh({size(0), size(1), size(2) - size(1), options.positive("edge")});
+    mesh = cylinder_mesh(TubeShape{size(0), size(1), size(2) - size(1), options.positive("edge")});
   }
   require_sleeve(mesh);
   face_outward(mesh);

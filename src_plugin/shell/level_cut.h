@@ -50,12 +50,21 @@ class InsideTest {
   bool is_inside(const Vec3& point) const;
 
  private:
+  /// Facets of a range of height, and a cylinder about (x, y) [m] that is inside over all of it:
+  /// most points ask no more. Its radius is 0 where there is none.
+  struct Band {
+    std::vector<int> facets;
+    double x = 0.0, y = 0.0, core_square = 0.0;  ///< radius squared [m^2]
+  };
+
   int band_of(double z) const;
+  void find_core(int band);
+  bool is_inside(const Vec3& point, const Band& band) const;
 
   const std::vector<Facet>& facet_;
   const std::vector<Vec3>& position_;
   double low_ = 0.0, height_ = 1.0;  ///< lower end, and height of a band [m]
-  std::vector<std::vector<int>> bands_;
+  std::vector<Band> bands_;
 };
 
 }  // namespace encased_column

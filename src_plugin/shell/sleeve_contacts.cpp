@@ -11,6 +11,7 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
                           int grains, double margin)
 {
   margin_ = margin;
+  look_at(model);
   listed_position_ = model.position();
   grid_.sort(model.facet(), model.position());
   grain_.clear();
@@ -40,16 +41,26 @@ bool SleeveContacts::is_stale(const ShellModel& model) const
   return false;
 }
 
+// A facet is near some ten grains.
+void SleeveContacts::look_at(const ShellModel& model)
+{
+  planes_.resize(model.facets());
+  for (int f = 0; f < model.facets(); ++f) {
+    const FacetVectors corner = model.corners(f);
+    const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+    planes_[f] = {normal, normal.dot(corner[0]), normal.squaredNorm()};
+  }
+}
+
 bool SleeveContacts::touches(const ShellModel& model, int n, const Vec3& center, double radius)
 {
   facets_.clear();
   for (int m = begin_[n]; m < begin_[n + 1]; ++m) {
     const int f = near_[m];
-    const FacetVectors corner = model.corners(f);
     // Most facets near by are out of reach of their plane already.
-    const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-    const double height = normal.dot(corner[0] - center);
-    if (height * height >= radius * radius * normal.squaredNorm()) continue;
+    const double height = planes_[f].offset - planes_[f].normal.dot(center);
+    if (height * height >= radius * radius * planes_[f].square) continue;
+    const FacetVectors corner = model.corners(f);
     const Vec3 weight = nearest_on_triangle(corner[0], corner[1], corner[2], center);
     const Vec3 way = weight(0) * corner[0] + weight(1) * corner[1] + weight(2) * corner[2] - center;
     const double square = way.squaredNorm();

@@ -30,6 +30,8 @@ class SleeveContacts {
   int size() const { return static_cast<int>(grain_.size()); }
   int grain(int n) const { return grain_[n]; }
 
+  /// Before touches(), where nodes have moved since list().
+  void look_at(const ShellModel& model);
   /// Looks whether listed grain n, now at `center` [m], touches. The touch stays with this object
   /// until the next call, for those below.
   bool touches(const ShellModel& model, int n, const Vec3& center, double radius);
@@ -55,7 +57,14 @@ class SleeveContacts {
                      std::vector<StiffnessBound>& bound) const;
 
  private:
+  /// Of a facet: points p on it have normal . p = offset.
+  struct Plane {
+    Vec3 normal;            ///< of any length
+    double offset, square;  ///< length squared
+  };
+
   FacetGrid grid_;
+  std::vector<Plane> planes_;
   double margin_ = 0.0;
   std::vector<Vec3> listed_position_;
   std::vector<int> grain_, begin_, near_;

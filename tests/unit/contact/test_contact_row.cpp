@@ -18,7 +18,7 @@ struct Contacts {
   std::vector<Touch> touch;
   std::vector<std::array<double, memory_size_rolling>> memory;
 
-  explicit Contacts(int count, unsigned seed)
+  Contacts(int count, unsigned seed, bool dashpots)
   {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0), both(-1.0, 1.0);
@@ -30,11 +30,12 @@ struct Contacts {
       const double r_i = 1e-3 * (1.0 + 6.0 * part(random));
       const double r_j = wall ? 0.0 : 1e-3 * (1.0 + 6.0 * part(random));
       material.push_back({7e6 * (1.0 + part(random)), 0.5 + 3.0 * part(random),
-                          part(random) < 0.1 ? 0.0 : part(random), 0.0, 0.0,
+                          part(random) < 0.1 ? 0.0 : part(random), dashpots ? part(random) : 0.0,
+                          dashpots ? part(random) : 0.0,
                           part(random) < 0.2 ? 0.0 : 0.3 * part(random)});
       touch.push_back({1e-5 + 1e-4 * part(random),
                        vector(1.0).normalized(),
-                       0.0,
+                       dashpots ? 1e-3 * (0.1 + part(random)) : 0.0,
                        {r_i, vector(0.1), vector(50.0)},
                        {r_j, vector(0.1), wall ? Vec3(0.0, 0.0, 0.0) : vector(50.0)}});
       Vec3 spring = vector(1e-4 * part(random));
@@ -50,30 +51,34 @@ struct Contacts {
 /// Largest difference of a row from the same contacts one by one, relative to the largest force,
 /// moment and spring, over many packings.
 template <typename Row>
-void expect_the_same(bool advance)
+void expect_the_same(bool advance, bool dashpots = false)
 {
   constexpr bool rolling = std::is_same_v<Row, RollingRow>;
   const double dt = 1e-5, step = 10.0;
   for (unsigned seed = 0; seed < 1000; ++seed) {
     const int count = 1 + static_cast<int>(seed % ContactRow::size);
-    Contacts together(count, seed), alone(count, seed);
+    Contacts together(count, seed, dashpots), alone(count, seed, dashpots);
     Row row;
     for (int n = 0; n < count; ++n) {
       const Touch& t = together.touch[n];
       row.add(n, n + 100, 0.5, together.material[n],
-              (t.i.radius + t.j.radius - t.overlap) * t.normal, t.i, t.j,
+              (t.i.radius + t.j.radius - t.overlap) * t.normal, t.i, t.j, t.mass,
               together.memory[n].data());
     }
     const double loss = row.resolve(dt, step, advance);
     if (advance) row.keep(step);
-    double expected_loss = 0.0, expected_rolling = 0.0, losses = 0.0;
+    double expected_loss = 0.0, expected_dashpots = 0.0, expected_rolling = 0.0, losses = 0.0;
     for (int n = 0; n < count; ++n) {
       const ContactAction one = resolve_contact<rolling>(alone.material[n], alone.touch[n], dt,
                                                          step, advance, alone.memory[n].data());
       expected_loss += 0.5 * one.friction_loss;
+      expected_dashpots += 0.5 * one.dashpot_loss;
       expected_rolling += 0.5 * one.rolling_loss;
-      losses += std::abs(one.friction_loss) + std::abs(one.rolling_loss);
-      const double force = one.force.norm();
+      losses +=
+          std::abs(one.friction_loss) + std::abs(one.dashpot_loss) + std::abs(one.rolling_loss);
+      // A dashpot may take the spring's force back to nearly nothing.
+      const double force =
+          std::max(one.force.norm(), one.stiffness.normal * alone.touch[n].overlap);
       const double moment = std::max(one.moment_i.norm(), force * alone.touch[n].i.radius);
       EXPECT_LE((row.force(n) - one.force).norm(), 1e-12 * force);
       EXPECT_LE((row.moment_i(n) - one.moment_i).norm(), 1e-12 * moment);
@@ -94,6 +99,7 @@ void expect_the_same(bool advance)
     }
     if (advance) {
       EXPECT_NEAR(loss, expected_loss, 1e-12 * losses);
+      EXPECT_NEAR(row.dashpot_loss(), expected_dashpots, 1e-12 * losses);
       if constexpr (rolling) {
         EXPECT_NEAR(row.rolling_loss(), expected_rolling, 1e-12 * losses);
       }
@@ -113,6 +119,18 @@ TEST(ContactRow, GivesItInASetUpToo)
   expect_the_same<ContactRow>(false);
 }
 
+TEST(ContactRow, GivesItWithDashpots)
+{
+  expect_the_same<ContactRow>(true, true);
+  expect_the_same<ContactRow>(false, true);
+}
+
+TEST(RollingRow, GivesItWithDashpots)
+{
+  expect_the_same<RollingRow>(true, true);
+  expect_the_same<RollingRow>(false, true);
+}
+
 TEST(RollingRow, GivesWhatContactsOneByOneGiveInThousandPackings)
 {
   expect_the_same<RollingRow>(true);
@@ -125,9 +143,9 @@ TEST(RollingRow, GivesItInASetUpToo)
 
 // A set-up repeats a step: not nearly, but to the last bit.
 template <typename Row>
-void expect_the_last_bit_repeated()
+void expect_the_last_bit_repeated(bool dashpots = false)
 {
-  Contacts contacts(ContactRow::size, 5);
+  Contacts contacts(ContactRow::size, 5, dashpots);
   Row row;
   std::vector<Vec3> force, moment;
   for (const bool advance : {true, false}) {
@@ -135,7 +153,7 @@ void expect_the_last_bit_repeated()
     for (int n = 0; n < ContactRow::size; ++n) {
       const Touch& t = contacts.touch[n];
       row.add(n, n, 1.0, contacts.material[n], (t.i.radius + t.j.radius - t.overlap) * t.normal,
-              t.i, t.j, contacts.memory[n].data());
+              t.i, t.j, t.mass, contacts.memory[n].data());
     }
     row.resolve(1e-5, 10.0, advance);
     for (int n = 0; n < ContactRow::size; ++n) {
@@ -170,7 +188,7 @@ TEST(ContactRow, PressesWithNothingWhereRoundOffLeavesNoOverlap)
   const ContactBody rest{radius, Vec3::Zero(), Vec3::Zero()};
   ContactRow row;
   row.add(0, -1, 1.0, {7e6, 3.5, 0.8}, radius * (1.0 + 4e-16) * normal, rest,
-          {0.0, Vec3::Zero(), Vec3::Zero()}, memory.data());
+          {0.0, Vec3::Zero(), Vec3::Zero()}, 0.0, memory.data());
   const double loss = row.resolve(1e-6, 10.0, true);
   row.keep(10.0);
   EXPECT_EQ(row.force(0), Vec3(0.0, 0.0, 0.0));

@@ -153,7 +153,8 @@ TEST(IsInside, FollowsABulgeFromRingToRing)
   for (double z = 0.0005; z < 0.2; z += 0.001)
     for (const double angle : {0.1, 1.3, 4.0}) {
       const Vec3 out(std::cos(angle), std::sin(angle), 0.0), level(0.0, 0.0, z);
-      EXPECT_TRUE(test.is_inside(0.995 * radius_at(z) * out + level)) << "height " << z;
+      for (const double part : {0.3, 0.85, 0.995})
+        EXPECT_TRUE(test.is_inside(part * radius_at(z) * out + level)) << "height " << z;
       EXPECT_FALSE(test.is_inside(1.001 * radius_at(z) * out + level)) << "height " << z;
     }
 }

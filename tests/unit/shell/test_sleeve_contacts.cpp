@@ -112,6 +112,7 @@ TEST(SleeveContacts, NormalForcesOnTheNodesAreMinusTheGradientOfTheEnergy)
       std::vector<Vec3> x = start;
       x[node] += shift;
       place(model, x);
+      contacts.look_at(model);
       return contacts.touches(model, 0, center, radius) ? energy_of(contacts.touch(), stiffness)
                                                         : 0.0;
     };
@@ -246,6 +247,7 @@ TEST(SleeveContacts, TheListHoldsUntilSomethingMovedHalfTheMargin)
   for (Vec3& c : center) c += aside();
 
   std::vector<double> overlap(center.size(), 0.0);
+  contacts.look_at(model);
   for (int n = 0; n < contacts.size(); ++n)
     if (contacts.touches(model, n, center[contacts.grain(n)], radius))
       overlap[contacts.grain(n)] = contacts.touch().overlap;

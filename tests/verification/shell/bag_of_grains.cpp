@@ -81,6 +81,7 @@ void BagOfGrains::book(const ContactAction& action)
 // As in FixMeshSurfaceShell::press.
 void BagOfGrains::press_sleeve()
 {
+  contacts_.look_at(model_);
   for (int n = 0; n < contacts_.size(); ++n) {
     const int i = contacts_.grain(n);
     Grain& g = grain_[i];
