@@ -145,14 +145,15 @@ bool FixMotion::Rule::operator==(const Rule& other) const
 
 bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
 {
-  return setting_up_ || step % every_ == 0;
+  return setting_up_ || weighs_new_grains_ || step % every_ == 0;
 }
 
 void FixMotion::setup_pre_force(int)
 {
   setting_up_ = true;
   take_over_sums();
-  anew_ = max_over_ranks(anew_ ? 1.0 : 0.0, world) > 0.0;
+  anew_ = max_over_ranks(anew_ || made_grains_ ? 1.0 : 0.0, world) > 0.0;
+  made_grains_ = false;
   if (time_of_restart_) {  // the host goes on at the step of the file, but at time zero
     update->atime = *time_of_restart_;
     update->atimestep = update->ntimestep;
@@ -161,9 +162,14 @@ void FixMotion::setup_pre_force(int)
   pre_force(0);
 }
 
-// Grains that changed their place or rank bring no sums along.
+// Grains that changed their place or rank bring no sums along; new ones come with the same steps,
+// and maybe on one rank alone.
 void FixMotion::pre_force(int)
 {
+  if (neighbor->ago == 0) {
+    weighs_new_grains_ = max_over_ranks(made_grains_ ? 1.0 : 0.0, world) > 0.0;
+    made_grains_ = false;
+  }
   if (starts_sums_ && (!sums_started_ || neighbor->ago == 0)) start_sums(0, atom->nlocal);
   sums_started_ = false;
   if (wants_contacts(update->ntimestep)) collect();

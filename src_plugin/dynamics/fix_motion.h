@@ -111,6 +111,8 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   /// Grains or materials are new to this fix: it finds inertia and equilibrium when it is set up,
   /// and does not wait for the next step that `every` divides.
   bool anew_ = true;
+  bool made_grains_ = false;        ///< on this rank, since forces were last made
+  bool weighs_new_grains_ = false;  ///< in this step, on all ranks
   Rule rule_{};
   std::optional<double> time_of_restart_;  ///< until the first run after it [s]
   std::vector<GrainStiffness> stiffness_;

@@ -24,7 +24,7 @@ void FixMotion::copy_arrays(int from, int to, int)
 void FixMotion::set_arrays(int i)
 {
   inertia_[i] = atom->rmass[i];
-  anew_ = true;
+  made_grains_ = true;
 }
 
 int FixMotion::pack_exchange(int i, double* buffer)
@@ -61,7 +61,7 @@ void FixMotion::write_restart(FILE* file)
   finish_step();
   save_pair_history(lmp);
   const double loss = damping_loss();
-  const bool anew = max_over_ranks(anew_ ? 1.0 : 0.0, world) > 0.0;
+  const bool anew = max_over_ranks(anew_ || made_grains_ ? 1.0 : 0.0, world) > 0.0;
   if (comm->me != 0) return;
   const Saved saved{
       update->get_cur_time(), loss, largest_factor_, stable_step_, equilibrium_, rule_, anew};

@@ -175,8 +175,11 @@ void FixMotion::final_integrate()
   unfinished_ = true;
   const bool weighs = wants_contacts(update->ntimestep);
   if (!weighs && !is_looked_at()) return;
+  // With density scaling a new grain may be far too light for its first contacts.
+  if (weighs_new_grains_ && scaled_step_ > 0.0) set_inertia();
   finish_step();
   if (!weighs) return;
+  weighs_new_grains_ = false;
   weigh_equilibrium();
   set_inertia();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shell/height_bands.h"
 #include "shell/surface_mesh.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ inline double area_at_level(const std::vector<Facet>& facet, const std::vector<V
 /// A lateral surface sorted by height, to ask for many points which side they are on.
 class InsideTest {
  public:
-  /// Sorts the facets as they lie now, into bands about as high as one.
+  /// Sorts the facets as they lie now.
   InsideTest(const std::vector<Facet>& facet, const std::vector<Vec3>& position);
 
   /// True where the point is inside at its own height: a ray along x crosses the pieces an odd
@@ -50,21 +51,12 @@ class InsideTest {
   bool is_inside(const Vec3& point) const;
 
  private:
-  /// Facets of a range of height, and a cylinder about (x, y) [m] that is inside over all of it:
-  /// most points ask no more. Its radius is 0 where there is none.
-  struct Band {
-    std::vector<int> facets;
-    double x = 0.0, y = 0.0, core_square = 0.0;  ///< radius squared [m^2]
-  };
-
-  int band_of(double z) const;
-  void find_core(int band);
-  bool is_inside(const Vec3& point, const Band& band) const;
+  bool is_inside(const Vec3& point, int band) const;
 
   const std::vector<Facet>& facet_;
   const std::vector<Vec3>& position_;
-  double low_ = 0.0, height_ = 1.0;  ///< lower end, and height of a band [m]
-  std::vector<Band> bands_;
+  HeightBands bands_;
+  std::vector<char> has_core_;  ///< the free middle of the band is inside: most points ask no more
 };
 
 }  // namespace encased_column

@@ -1,5 +1,6 @@
 #include "shell/sleeve_contacts.h"
 
+#include "shell/height_bands.h"
 #include "shell/nearest_point.h"
 
 #include <algorithm>
@@ -17,9 +18,11 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
   grain_.clear();
   near_.clear();
   begin_.assign(1, 0);
+  const HeightBands bands(model.facet(), model.position());
   for (int i = 0; i < grains; ++i) {
     const Vec3 center = as_vec3(centers + 3 * i);
     const double reach = radii[i] + 1.5 * margin;
+    if (bands.is_clear(center, reach)) continue;  // most grains
     grid_.near(center, reach, [&](int f) {
       const FacetVectors corner = model.corners(f);
       const Vec3 weight = nearest_on_triangle(corner[0], corner[1], corner[2], center);
