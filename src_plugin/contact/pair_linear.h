@@ -58,11 +58,13 @@ class PairLinear
 
   void compute_force(PairGran* pair, int eflag, int vflag, int addflag) override
   {
-    if (list_.update(pair)) pairs_.take(*pair->list, pair->dnum());
+    if (list_.update(pair)) pairs_are_old_ = true;
     if (loop_ == PairLoop::host || wants_host_loop(pair, eflag, vflag)) {
       HostLoop::compute_force(pair, eflag, vflag, addflag);
       return;
     }
+    if (pairs_are_old_) pairs_.take(*pair->list, pair->dnum());
+    pairs_are_old_ = false;
     pair->evflag = pair->vflag_fdotr = 0;
     if (lmp_->atom->nlocal == 0) return;
     desk_.ask_probes();
@@ -169,6 +171,7 @@ class PairLinear
   std::conditional_t<with_rolling, RollingRow, ContactRow> row_;
   PairList list_;
   ListedPairs pairs_;
+  bool pairs_are_old_ = true;
   PairLoop loop_ = PairLoop::rows;
   int memory_ = 0;
 };

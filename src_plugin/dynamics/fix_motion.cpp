@@ -143,53 +143,6 @@ bool FixMotion::Rule::operator==(const Rule& other) const
          stiffest_material == other.stiffest_material && rolling == other.rolling;
 }
 
-bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
-{
-  return setting_up_ || weighs_new_grains_ || step % every_ == 0;
-}
-
-void FixMotion::setup_pre_force(int)
-{
-  setting_up_ = true;
-  take_over_sums();
-  anew_ = max_over_ranks(anew_ || made_grains_ ? 1.0 : 0.0, world) > 0.0;
-  made_grains_ = false;
-  if (time_of_restart_) {  // the host goes on at the step of the file, but at time zero
-    update->atime = *time_of_restart_;
-    update->atimestep = update->ntimestep;
-    time_of_restart_.reset();
-  }
-  pre_force(0);
-}
-
-// Grains that changed their place or rank bring no sums along; new ones come with the same steps,
-// and maybe on one rank alone.
-void FixMotion::pre_force(int)
-{
-  if (neighbor->ago == 0) {
-    weighs_new_grains_ = max_over_ranks(made_grains_ ? 1.0 : 0.0, world) > 0.0;
-    made_grains_ = false;
-  }
-  if (starts_sums_ && (!sums_started_ || neighbor->ago == 0)) start_sums(0, atom->nlocal);
-  sums_started_ = false;
-  if (wants_contacts(update->ntimestep)) collect();
-}
-
-void FixMotion::collect()
-{
-  stiffness_.assign(atom->nlocal, GrainStiffness());
-  contact_force_sum_ = contact_count_ = 0.0;
-}
-
-void FixMotion::add_contact(const Contact& contact)
-{
-  stiffness_[contact.i].add(contact.normal, contact.normal_stiffness, contact.shear_stiffness);
-  if (contact.j >= 0 && contact.j < atom->nlocal)
-    stiffness_[contact.j].add(contact.normal, contact.normal_stiffness, contact.shear_stiffness);
-  contact_force_sum_ += contact.share * contact.force.norm();
-  contact_count_ += contact.share;
-}
-
 // Where a deck's run ends, or a restart file is written, must not change the motion: a set-up alone
 // is no reason to look anew. The host sets fixes up in the deck's order, and walls that stand
 // behind this fix add their contacts and forces only then: what `run 0` shows is taken here, what

@@ -67,6 +67,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   void find_onlookers();
   bool is_looked_at() const;  ///< the end of this step
   void finish_step();
+  bool others_act(int stages, const LAMMPS_NS::Fix* last) const;
   void take_over_sums();
   void start_sums(int first, int count);
   bool touches_nothing(int i) const;
@@ -74,6 +75,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   void collect();
   std::vector<int> types_that_count() const;
   void set_inertia();
+  void bear_first_contacts();
 
   /// What inertia, apart from the contacts, and the weighing were found with.
   struct Rule {

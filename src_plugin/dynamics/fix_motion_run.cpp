@@ -1,4 +1,5 @@
-// What the motion takes over from others for the time of a run, and when others look at it.
+// What the motion takes over from others for the time of a run, when others look at it, and how the
+// forces of a step begin.
 #include "dynamics/fix_gravity_of_motion.h"
 #include "dynamics/fix_motion.h"
 #include "host/blind_to_velocity.h"
@@ -35,15 +36,32 @@ bool FixMotion::is_looked_at() const
                      [step](int every) { return step % every == 0; });
 }
 
-// For the time of one run: the next may be another fix's. Grains outside the group are the host's.
-// What a `fix gravity` behind this one is like it knows only after its init().
+/// True where a fix of the host acts at one of `stages`, up to the fix `last` in the deck's order.
+bool FixMotion::others_act(int stages, const LAMMPS_NS::Fix* last) const
+{
+  for (int n = 0; n < modify->nfix; ++n) {
+    const LAMMPS_NS::Fix* const fix = modify->fix[n];
+    if (fix == last) return false;
+    const bool ours = fix == this || dynamic_cast<const BlindToVelocity*>(fix) ||
+                      dynamic_cast<const ContactProbe*>(fix);
+    if (!ours && (modify->fmask[n] & stages)) return true;
+  }
+  return false;
+}
+
+// For the time of one run: the next may be another fix's. Grains outside the group are the host's,
+// and what else its integrator clears. Others may add forces before the pairs', or want those
+// before the weight. What a `fix gravity` behind this one is like it knows only after its init().
 void FixMotion::take_over_sums()
 {
+  using namespace LAMMPS_NS::FixConst;
   gravity_ = gravity_of(lmp);
   sums_started_ = false;
   const auto gravities = fixes_that_are<FixGravityOfMotion>(lmp);
-  starts_sums_ = igroup == 0 && !always_looked_at_;
-  takes_weight_ = starts_sums_ && gravities.size() == 1 && gravities.front()->is_plain();
+  starts_sums_ = igroup == 0 && !always_looked_at_ && !others_act(PRE_FORCE, nullptr) &&
+                 !neighbor->includegroup && !atom->erforce_flag && !atom->e_flag && !atom->rho_flag;
+  takes_weight_ = starts_sums_ && gravities.size() == 1 && gravities.front()->is_plain() &&
+                  !others_act(POST_FORCE, gravities.front());
   for (FixGravityOfMotion* gravity : gravities) gravity->leave_weight(takes_weight_);
   ForceClearing::leave_to_us(update->integrate, starts_sums_);
 }
@@ -67,6 +85,53 @@ void FixMotion::start_sums(int first, int count)
   for (int i = 0; i < count; ++i)
     for (int a = 0; a < 3; ++a) force[3 * i + a] = mass[i] * weight[a];
   std::fill_n(moment, 3 * count, 0.0);
+}
+
+bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
+{
+  return setting_up_ || weighs_new_grains_ || step % every_ == 0;
+}
+
+void FixMotion::setup_pre_force(int)
+{
+  setting_up_ = true;
+  take_over_sums();
+  anew_ = max_over_ranks(anew_ || made_grains_ ? 1.0 : 0.0, world) > 0.0;
+  made_grains_ = false;
+  if (time_of_restart_) {  // the host goes on at the step of the file, but at time zero
+    update->atime = *time_of_restart_;
+    update->atimestep = update->ntimestep;
+    time_of_restart_.reset();
+  }
+  pre_force(0);
+}
+
+// Grains that changed their place or rank bring no sums along; new ones come with the same steps,
+// and maybe on one rank alone.
+void FixMotion::pre_force(int)
+{
+  if (neighbor->ago == 0) {
+    weighs_new_grains_ = max_over_ranks(made_grains_ ? 1.0 : 0.0, world) > 0.0;
+    made_grains_ = false;
+  }
+  if (starts_sums_ && (!sums_started_ || neighbor->ago == 0)) start_sums(0, atom->nlocal);
+  sums_started_ = false;
+  if (wants_contacts(update->ntimestep)) collect();
+}
+
+void FixMotion::collect()
+{
+  stiffness_.assign(atom->nlocal, GrainStiffness());
+  contact_force_sum_ = contact_count_ = 0.0;
+}
+
+void FixMotion::add_contact(const Contact& contact)
+{
+  stiffness_[contact.i].add(contact.normal, contact.normal_stiffness, contact.shear_stiffness);
+  if (contact.j >= 0 && contact.j < atom->nlocal)
+    stiffness_[contact.j].add(contact.normal, contact.normal_stiffness, contact.shear_stiffness);
+  contact_force_sum_ += contact.share * contact.force.norm();
+  contact_count_ += contact.share;
 }
 
 }  // namespace encased_column

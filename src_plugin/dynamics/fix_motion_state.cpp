@@ -81,6 +81,7 @@ void FixMotion::restart(char* buffer)
   equilibrium_ = saved.equilibrium;
   rule_ = saved.rule;
   anew_ = saved.anew;
+  made_grains_ = false;  // none of those in the file is new
 }
 
 }  // namespace encased_column

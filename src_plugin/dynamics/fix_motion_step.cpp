@@ -33,6 +33,18 @@ void FixMotion::set_inertia()
   update->dt = stable_step_;
 }
 
+// With density scaling a new grain, still of its true mass, may be far too light for its contacts.
+void FixMotion::bear_first_contacts()
+{
+  if (scaled_step_ <= 0.0) return;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (inertia_[i] != atom->rmass[i]) continue;
+    const double needed = mass_for_step(scaled_step_, stiffness_[i].decisive(rolling_), safety_);
+    if (needed > inertia_[i]) make_heavier(i, needed);
+  }
+  std::sort(heavier_.begin(), heavier_.end());
+}
+
 double FixMotion::kinetic_energy_of(int i) const
 {
   return kinetic_energy(inertia_[i], atom->radius[i], as_vec3(atom->v[i]), as_vec3(atom->omega[i]));
@@ -175,8 +187,7 @@ void FixMotion::final_integrate()
   unfinished_ = true;
   const bool weighs = wants_contacts(update->ntimestep);
   if (!weighs && !is_looked_at()) return;
-  // With density scaling a new grain may be far too light for its first contacts.
-  if (weighs_new_grains_ && scaled_step_ > 0.0) set_inertia();
+  if (weighs_new_grains_) bear_first_contacts();
   finish_step();
   if (!weighs) return;
   weighs_new_grains_ = false;

@@ -16,7 +16,8 @@ const KeywordTable FixMeasureSphere::keywords{
     {"every", 1, "steps", "steps between samples (default 1000)"},
     {"file", 1, "-", "CSV file (default spheres.csv)"},
     {"folder", 1, "-", "folder of VTK files, created if missing (default: none are written)"},
-    {"frames", 1, "steps", "one VTK file every so many steps (default: those of `every`)"},
+    {"frames", 1, "steps",
+     "with `folder`: one VTK file every so many steps (default: those of `every`)"},
     {"name", 1, "-", "name of their series (default spheres)"},
 };
 
@@ -34,6 +35,9 @@ FixMeasureSphere::FixMeasureSphere(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     const std::string file = options.word("file", "spheres.csv");
     require_writable(lmp, "file", file, file);
     file_ = CsvSeries(file, columns());
+    if (options.has("frames") && !options.has("folder"))
+      throw InputError(
+          "'frames' goes with 'folder', found it alone, write for example 'folder spheres'");
     if (options.has("folder")) series_ = series_of(lmp, options, "spheres");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "host/blind_to_velocity.h"
 #include "host/contact_probe.h"
 #include "host/run_clock.h"
 #include "measure/measuring_sphere.h"
@@ -17,7 +18,10 @@ class FixServoPlaten;
 
 /// `fix measure/sphere`: porosity, coordination, stress and forces in balls that stand still or
 /// follow the platens, as rows of a CSV file and points of VTK files.
-class FixMeasureSphere : public LAMMPS_NS::Fix, public ContactProbe, public SeriesOwner {
+class FixMeasureSphere : public LAMMPS_NS::Fix,
+                         public ContactProbe,
+                         public SeriesOwner,
+                         public BlindToVelocity {
  public:
   static const KeywordTable keywords;
 

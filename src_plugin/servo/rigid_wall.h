@@ -150,9 +150,10 @@ template <typename Shape, typename Row>
 void RigidWall::press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row)
 {
   find_contacts(shape, grains, [&](int i, const Touch& touch) {
-    row.add(i, -1, 1.0, desk_.material(grains.type[i], wall_type_),
-            (touch.i.radius - touch.overlap) * touch.normal, touch.i, touch.j, touch.mass,
-            contact_memory(i));
+    // A center beyond the wall is still pushed back.
+    const double distance = std::max(touch.i.radius - touch.overlap, 1e-3 * touch.i.radius);
+    row.add(i, -1, 1.0, desk_.material(grains.type[i], wall_type_), distance * touch.normal,
+            touch.i, touch.j, touch.mass, contact_memory(i));
     if (row.is_full()) press_row(grains, row);
   });
   press_row(grains, row);

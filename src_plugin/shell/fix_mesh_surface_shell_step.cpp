@@ -85,7 +85,7 @@ void FixMeshSurfaceShell::press(bool advance_memory)
 {
   const double step = static_cast<double>(update->ntimestep);
   vertical_force_ = 0.0;
-  contacts_.look_at(*model_);
+  if (!rigid_) contacts_.look_at(*model_);
   for (int n = 0; n < contacts_.size(); ++n) {
     const int i = contacts_.grain(n);
     const double radius = atom->radius[i];

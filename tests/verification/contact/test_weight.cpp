@@ -63,12 +63,13 @@ TEST(Weight, GoesBackToTheHostWithTheMotion)
 
 TEST(Weight, IsThereInARunThatIsNotSetUp)
 {
-  const Outcome outcome =
-      run_well(fall +
-               "fix weight all gravity 9.81 vector 0 0 -1\n"
-               "fix move all motion damping 0 step 1e-4\nrun 100\nrun 100 pre no\n" +
-               print_numbers("z[1] fz[1]"));
+  const std::string start = fall +
+                            "fix weight all gravity 9.81 vector 0 0 -1\n"
+                            "fix move all motion damping 0 step 1e-4\nrun 100\n";
+  const std::string print = print_numbers("z[1] fz[1]");
+  const Outcome outcome = run_well(start + "run 100 pre no\n" + print);
   EXPECT_NEAR(outcome.value("fz[1]"), -g * mass, 1e-12);
+  EXPECT_NEAR(outcome.value("z[1]"), run_well(start + "run 100\n" + print).value("z[1]"), 1e-14);
 }
 
 TEST(Weight, OfGrainsOutsideTheGroupIsTheHosts)
