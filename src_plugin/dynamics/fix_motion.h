@@ -71,7 +71,8 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   void take_over_sums();
   void start_sums(int first, int count);
   bool touches_nothing(int i) const;
-  void slow_down(int i);  ///< to the free speed, where it is faster and touches nothing
+  /// To the free speed those of `count` grains that are faster and touch nothing.
+  void slow_down(int first, int count);
   void collect();
   std::vector<int> types_that_count() const;
   void set_inertia();

@@ -108,8 +108,9 @@ void FixMotion::for_rows(const Kick& kick) const
 {
   const int* const mask = atom->mask;
   for (int first = 0; first < atom->nlocal;) {
-    int end = first;
-    while (end < atom->nlocal && end < first + longest_row && (mask[end] & groupbit)) ++end;
+    const int last = std::min(first + longest_row, atom->nlocal);
+    int end = igroup == 0 ? last : first;
+    while (end < last && (mask[end] & groupbit)) ++end;
     if (end > first) kick(first, end - first);
     first = end > first ? end : first + 1;
   }
@@ -123,12 +124,15 @@ bool FixMotion::touches_nothing(int i) const
          1e-20 * atom->rmass[i] * atom->rmass[i] * gravity_.squaredNorm();
 }
 
-void FixMotion::slow_down(int i)
+void FixMotion::slow_down(int first, int count)
 {
-  const double square = as_vec3(atom->v[i]).squaredNorm();
-  if (square <= free_speed_square_ || !touches_nothing(i)) return;
-  as_vec3(atom->v[i]) *= std::sqrt(free_speed_square_ / square);
-  loss_ += 0.5 * inertia_[i] * (square - free_speed_square_);
+  double* const v = atom->v[first];
+  for (int k = 0; k < count; ++k) {
+    const double square = as_vec3(v + 3 * k).squaredNorm();
+    if (square <= free_speed_square_ || !touches_nothing(first + k)) continue;
+    as_vec3(v + 3 * k) *= std::sqrt(free_speed_square_ / square);
+    loss_ += 0.5 * inertia_[first + k] * (square - free_speed_square_);
+  }
 }
 
 void FixMotion::finish_step()
@@ -168,8 +172,7 @@ void FixMotion::initial_integrate(int)
       kick = kick_grains(grains, damping_, 0.5 * dt);
     }
     loss_ += kick.loss;
-    if (3.0 * kick.fastest > free_speed_square_)
-      for (int i = first; i < first + count; ++i) slow_down(i);
+    if (3.0 * kick.fastest > free_speed_square_) slow_down(first, count);
     double* const __restrict x = atom->x[first];
     const double* const __restrict v = atom->v[first];
     for (int k = 0; k < 3 * count; ++k) x[k] += dt * v[k];

@@ -32,20 +32,22 @@ class ResumedTriaxialTest : public ::testing::Test {
     return arguments;
   }
 
-  /// Kills a new run as soon as the shell command `reached` succeeds, goes on in `stage` on `ranks`
-  /// ranks, and returns how that ended.
-  static Outcome kill_and_go_on(const TemporaryFolder& folder, const std::string& reached,
+  /// Kills a new run `steps` steps before the deck's line `line`, goes on in `stage` on `ranks`
+  /// ranks, and returns how that ended. The run has itself killed: from outside it might be too
+  /// late.
+  static Outcome kill_and_go_on(const TemporaryFolder& folder, const std::string& line, int steps,
                                 int stage, int ranks = 1)
   {
     std::vector<std::string> arguments = arguments_in(folder);
-    std::ofstream(folder.path() / "in.lmp") << plain_triaxial_deck();
-    std::string command = "'" ENCASE_PROGRAM "' -in in.lmp";
+    std::string deck = plain_triaxial_deck();
+    const std::size_t place = deck.find("\n" + line);
+    if (place == std::string::npos) throw std::runtime_error("no line '" + line + "' in the deck");
+    deck.insert(place + 1, "run " + std::to_string(steps) + "\nshell sh die\n");
+    std::ofstream(folder.path() / "in.lmp") << deck;
+    std::ofstream(folder.path() / "die") << "kill -KILL $(cat pid)\n";
+    std::string command = "echo $$ >pid; exec '" ENCASE_PROGRAM "' -in in.lmp";
     for (const std::string& argument : arguments) command += " " + argument;
-    const Outcome killed = run_program({"bash", "-c",
-                                        command + " & child=$!\nuntil " + reached +
-                                            "; do\n  kill -0 $child || exit 1\n  sleep 0.005\n"
-                                            "done\nkill -KILL $child\nwait $child"},
-                                       folder.path());
+    const Outcome killed = run_program({"bash", "-c", command}, folder.path());
     EXPECT_EQ(killed.exit_code, 137) << killed.output;
     EXPECT_TRUE(fs::exists(folder.path() / ("restart_" + std::to_string(stage))));
     EXPECT_FALSE(fs::exists(folder.path() / ("restart_" + std::to_string(stage + 1))));
@@ -66,16 +68,15 @@ class ResumedTriaxialTest : public ::testing::Test {
   inline static std::string failure_;
 };
 
-const std::string in_growth = "grep -q '^ *2000 ' log.liggghts 2>/dev/null";
-const std::string in_consolidation = "grep -q '^ *9000 ' log.liggghts 2>/dev/null";
-const std::string in_shear = "[ -e restart_4 ] && [ $(wc -l <history.csv) -gt 3 ]";
+const std::string growth = "run 5000 upto", consolidation = "solve ratio average ${limit}",
+                  shear = "run ${last_step} upto";
 
 }  // namespace
 
 TEST_F(ResumedTriaxialTest, KilledWhileGrainsGrowEndsTheSame)
 {
   const TemporaryFolder folder;
-  const Outcome outcome = kill_and_go_on(folder, in_growth, 1);
+  const Outcome outcome = kill_and_go_on(folder, growth, 2000, 1);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   expect_the_same_results(folder);
 }
@@ -83,7 +84,7 @@ TEST_F(ResumedTriaxialTest, KilledWhileGrainsGrowEndsTheSame)
 TEST_F(ResumedTriaxialTest, KilledInConsolidationEndsTheSame)
 {
   const TemporaryFolder folder;
-  const Outcome outcome = kill_and_go_on(folder, in_consolidation, 3);
+  const Outcome outcome = kill_and_go_on(folder, consolidation, 1000, 3);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   expect_the_same_results(folder);
 }
@@ -91,7 +92,7 @@ TEST_F(ResumedTriaxialTest, KilledInConsolidationEndsTheSame)
 TEST_F(ResumedTriaxialTest, KilledInShearEndsTheSame)
 {
   const TemporaryFolder folder;
-  const Outcome outcome = kill_and_go_on(folder, in_shear, 4);
+  const Outcome outcome = kill_and_go_on(folder, shear, 600, 4);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   expect_the_same_results(folder);
 }
@@ -100,7 +101,7 @@ TEST_F(ResumedTriaxialTest, KilledInShearEndsTheSame)
 TEST_F(ResumedTriaxialTest, GoesOnWithAnotherNumberOfRanks)
 {
   const TemporaryFolder folder;
-  const Outcome outcome = kill_and_go_on(folder, in_shear, 4, 2);
+  const Outcome outcome = kill_and_go_on(folder, shear, 600, 4, 2);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const CsvTable resumed(folder.path() / "history.csv");
   EXPECT_EQ(resumed.column("step [-]"), history().column("step [-]"));
