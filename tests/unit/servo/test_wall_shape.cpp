@@ -10,6 +10,8 @@ TEST(PlaneShape, OverlapsAGrainByTheRadiusLessTheGap)
   const double high[3] = {1.0, 2.0, 0.191}, low[3] = {1.0, 2.0, 0.012};
   EXPECT_NEAR(top.overlap(high, 0.01), 0.001, 1e-15);
   EXPECT_NEAR(bottom.overlap(low, 0.01), -0.002, 1e-15);
+  EXPECT_TRUE(top.touches(high, 0.01));
+  EXPECT_FALSE(bottom.touches(low, 0.01));
 }
 
 TEST(PlaneShape, PointsOutOfTheSpecimenAndAdvancesIntoIt)
@@ -29,6 +31,8 @@ TEST(CylinderShape, OverlapsAGrainByWhatSticksOut)
   const double near[3] = {0.01 + 0.6 * 0.045, -0.02 - 0.8 * 0.045, 7.0};
   EXPECT_NEAR(wall.overlap(near, 0.006), 0.001, 1e-15);
   EXPECT_LT(wall.overlap(near, 0.004), 0.0);
+  EXPECT_TRUE(wall.touches(near, 0.006));
+  EXPECT_FALSE(wall.touches(near, 0.004));
   EXPECT_NEAR((wall.normal(near) - Vec3(0.6, -0.8, 0.0)).norm(), 0.0, 1e-15);
 }
 
@@ -37,6 +41,7 @@ TEST(CylinderShape, OverlapsAGrainLargerThanItself)
   const CylinderShape wall{0.005};
   const double center[3] = {0.001, 0.0, 0.0};
   EXPECT_NEAR(wall.overlap(center, 0.01), 0.006, 1e-15);
+  EXPECT_TRUE(wall.touches(center, 0.01));
 }
 
 // The overlap grows as fast as the wall advances and as the grain moves out.

@@ -70,6 +70,16 @@ TEST(Bounce, LeavesTheHeightThatTheDashpotsRestitutionSays)
   }
 }
 
+// The spring is then pressed in by the whole radius, but for the thousandth that keeps its
+// direction.
+TEST(Platen, PushesBackAGrainWhoseCenterIsBeyondIt)
+{
+  const Outcome outcome =
+      run_well(material(7e6, 0.5) + grain(0, 0, -0.001) + grain_size + platen("bottom", 0.0) +
+               plain_motion(1e-7) + "run 0\n" + print_numbers("fz[1]"));
+  EXPECT_NEAR(outcome.value("fz[1]") / (pi * radius * 7e6 * radius), 0.999, 1e-12);
+}
+
 // Grains of 10 and 6 mm: k_n = pi r^2 E* / (R1 + R2) with the smaller radius.
 TEST(Collision, HasTimeOverlapAndForceOfASpringBetweenTwoMasses)
 {

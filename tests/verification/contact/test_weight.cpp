@@ -10,6 +10,8 @@ namespace {
 
 constexpr double g = 9.81, height = 0.15, step = 1e-4;
 const std::string fall = "timestep 1e-4\n" + material(7e6, 0.5) + grain(0, 0, height) + grain_size;
+const std::string weight = "fix weight all gravity 9.81 vector 0 0 -1\n";
+const std::string motion = "fix move all motion damping 0 step 1e-4\n";
 
 double fallen(double steps)
 {
@@ -20,12 +22,10 @@ double fallen(double steps)
 
 TEST(Weight, ThatTheHostAppliesIsTheSame)
 {
-  const std::string motion = "fix move all motion damping 0 step 1e-4\nrun 300\n";
-  const std::string print = print_numbers("z[1] vz[1] fz[1]");
-  const Outcome ours =
-      run_well(fall + "fix weight all gravity 9.81 vector 0 0 -1\n" + motion + print);
-  const Outcome host = run_well(
-      fall + "variable g equal 9.81\nfix weight all gravity v_g vector 0 0 -1\n" + motion + print);
+  const std::string run = motion + "run 300\n" + print_numbers("z[1] vz[1] fz[1]");
+  const Outcome ours = run_well(fall + weight + run);
+  const Outcome host =
+      run_well(fall + "variable g equal 9.81\nfix weight all gravity v_g vector 0 0 -1\n" + run);
   for (const char* number : {"z[1]", "vz[1]", "fz[1]"})
     EXPECT_NEAR(ours.value(number), host.value(number), 1e-13) << number;
 }
@@ -34,38 +34,31 @@ TEST(Weight, OfTwoGravitiesIsTheirSum)
 {
   const Outcome outcome = run_well(fall +
                                    "fix one all gravity 4 vector 0 0 -1\n"
-                                   "fix two all gravity 5.81 vector 0 0 -1\n"
-                                   "fix move all motion damping 0 step 1e-4\nrun 300\n" +
-                                   print_numbers("fz[1] mass[1]"));
+                                   "fix two all gravity 5.81 vector 0 0 -1\n" +
+                                   motion + "run 300\n" + print_numbers("fz[1] mass[1]"));
   EXPECT_NEAR(outcome.value("fz[1]"), -g * mass, 1e-12);
 }
 
 TEST(Weight, HasTheEnergyThatTheHostReports)
 {
-  const Outcome outcome = run_well(fall +
-                                   "fix weight all gravity 9.81 vector 0 0 -1\n"
-                                   "fix move all motion damping 0 step 1e-4\nrun 100\n" +
-                                   print_numbers("f_weight z[1]"));
+  const Outcome outcome =
+      run_well(fall + weight + motion + "run 100\n" + print_numbers("f_weight z[1]"));
   EXPECT_NEAR(outcome.value("f_weight"), mass * g * outcome.value("z[1]"), 1e-12);
 }
 
 // What one fix took over is given back at the end of each run.
 TEST(Weight, GoesBackToTheHostWithTheMotion)
 {
-  const Outcome outcome = run_well(fall +
-                                   "fix weight all gravity 9.81 vector 0 0 -1\n"
-                                   "fix move all motion damping 0 step 1e-4\nrun 100\nunfix move\n"
-                                   "fix other all nve/sphere\nrun 100\n" +
-                                   print_numbers("z[1] fz[1]"));
+  const Outcome outcome =
+      run_well(fall + weight + motion + "run 100\nunfix move\nfix other all nve/sphere\nrun 100\n" +
+               print_numbers("z[1] fz[1]"));
   EXPECT_NEAR(outcome.value("fz[1]"), -g * mass, 1e-12);
   EXPECT_NEAR(outcome.value("z[1]"), height - fallen(200), 1e-6);
 }
 
 TEST(Weight, IsThereInARunThatIsNotSetUp)
 {
-  const std::string start = fall +
-                            "fix weight all gravity 9.81 vector 0 0 -1\n"
-                            "fix move all motion damping 0 step 1e-4\nrun 100\n";
+  const std::string start = fall + weight + motion + "run 100\n";
   const std::string print = print_numbers("z[1] fz[1]");
   const Outcome outcome = run_well(start + "run 100 pre no\n" + print);
   EXPECT_NEAR(outcome.value("fz[1]"), -g * mass, 1e-12);
