@@ -93,6 +93,8 @@ class ContactRow {
     return spring_energy(stiffness(n), overlap_[n], {spring_[0][n], spring_[1][n], spring_[2][n]});
   }
   bool is_sliding(int n) const { return part_[n] < 1.0; }
+  /// True where the contact was not there a step before step number `step`.
+  bool is_new(int n, double step) const { return seen_[n] < step - 1.0; }
 
  protected:
   Vec3 twist(int n) const { return {twist_[0][n], twist_[1][n], twist_[2][n]}; }

@@ -24,41 +24,58 @@ ContactMemoryFix::~ContactMemoryFix()
 {
   atom->delete_callback(id, 0);
   atom->delete_callback(id, 1);
-  memory->destroy(memory_);
+  memory->destroy(place_);
+}
+
+void ContactMemoryFix::remember(const std::vector<int>& near)
+{
+  old_.swap(memories_);
+  memories_.resize(near.size());
+  for (std::size_t n = 0; n < near.size(); ++n)
+    memories_[n] = place_[near[n]] == none ? nothing : old_[place_[near[n]]];
+  std::fill_n(place_, atom->nlocal, none);
+  for (std::size_t n = 0; n < near.size(); ++n) place_[near[n]] = static_cast<int>(n);
+}
+
+void ContactMemoryFix::bring(int i, const double* numbers)
+{
+  place_[i] = none;
+  if (std::equal(numbers, numbers + memory_size_rolling, nothing.numbers)) return;
+  place_[i] = static_cast<int>(memories_.size());
+  std::copy_n(numbers, memory_size_rolling, memories_.emplace_back().numbers);
 }
 
 void ContactMemoryFix::grow_arrays(int n)
 {
-  memory->grow(memory_, n, memory_size_rolling, "wall:memory");
+  memory->grow(place_, n, "wall:memory");
 }
 
 void ContactMemoryFix::copy_arrays(int from, int to, int)
 {
-  std::copy_n(memory_[from], memory_size_rolling, memory_[to]);
+  place_[to] = place_[from];
 }
 
 void ContactMemoryFix::set_arrays(int i)
 {
-  std::fill_n(memory_[i], memory_size_rolling, 0.0);
-  memory_[i][3] = -1.0;  // never touched: step 0 counts as a first contact too
+  place_[i] = none;
 }
 
 int ContactMemoryFix::pack_exchange(int i, double* buffer)
 {
-  std::copy_n(memory_[i], memory_size_rolling, buffer);
+  std::copy_n(memory_of(i).numbers, memory_size_rolling, buffer);
   return memory_size_rolling;
 }
 
 int ContactMemoryFix::unpack_exchange(int i, double* buffer)
 {
-  std::copy_n(buffer, memory_size_rolling, memory_[i]);
+  bring(i, buffer);
   return memory_size_rolling;
 }
 
 int ContactMemoryFix::pack_restart(int i, double* buffer)
 {
   buffer[0] = memory_size_rolling + 1;
-  std::copy_n(memory_[i], memory_size_rolling, buffer + 1);
+  std::copy_n(memory_of(i).numbers, memory_size_rolling, buffer + 1);
   return memory_size_rolling + 1;
 }
 
@@ -67,7 +84,13 @@ void ContactMemoryFix::unpack_restart(int nlocal, int nth)
 {
   const double* block = atom->extra[nlocal];
   for (int n = 0; n < nth; ++n) block += static_cast<int>(block[0]);
-  std::copy_n(block + 1, memory_size_rolling, memory_[nlocal]);
+  bring(nlocal, block + 1);
+}
+
+double ContactMemoryFix::memory_usage()
+{
+  return static_cast<double>(atom->nmax * sizeof(int) +
+                             (memories_.capacity() + old_.capacity()) * sizeof(Memory));
 }
 
 }  // namespace encased_column

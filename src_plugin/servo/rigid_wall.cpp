@@ -37,7 +37,7 @@ void RigidWall::read_wall(const Options& options)
 
 double RigidWall::stress_now() const
 {
-  return load_.stiffness > 0.0 && has_partners() ? load_.force / loaded_area() : 0.0;
+  return load().stiffness > 0.0 && has_partners() ? load().force / loaded_area() : 0.0;
 }
 
 int RigidWall::setmask()
@@ -64,34 +64,32 @@ void RigidWall::setup(int flags)
   advance_memory_ = false;
   post_force(flags);
   advance_memory_ = true;
-  sum_load();
 }
 
-void RigidWall::push(const GrainArrays& grains, int i, const Vec3& force, const Vec3& moment,
-                     double normal_force, const ContactStiffness& stiffness)
+// Most steps of a wall that goes its own way need no sum, and no rank then waits for another.
+const WallLoad& RigidWall::load() const
 {
-  desk_.bear_wall_contact(i, stiffness);
-  as_vec3(grains.force + 3 * i) += force;
-  as_vec3(grains.moment + 3 * i) += moment;
-  load_.force += normal_force;
-  load_.stiffness += stiffness.normal;
-}
-
-void RigidWall::sum_load()
-{
-  double sums[2] = {load_.force, load_.stiffness};
+  if (summed_) return sum_;
+  double sums[2] = {own_load_.force, own_load_.stiffness};
   sum_over_ranks(sums, 2, world);
-  load_ = {sums[0], sums[1]};
+  sum_ = {sums[0], sums[1]};
+  summed_ = true;
+  return sum_;
+}
+
+double RigidWall::work_on_grains() const
+{
+  return sum_over_ranks(work_, world);
 }
 
 void RigidWall::initial_integrate(int)
 {
   // The cross section of a sleeve takes a pass over its facets: found only where it counts.
   const bool by_load = drive_.follows_stress();
-  speed_ = drive_.speed(update->ntimestep, update->dt, load_, by_load ? loaded_area() : 0.0,
-                        by_load ? usual_speed_limit() : 0.0);
+  speed_ = drive_.speed(update->ntimestep, update->dt, by_load ? load() : WallLoad(),
+                        by_load ? loaded_area() : 0.0, by_load ? usual_speed_limit() : 0.0);
   check_reach();
-  force_before_ = load_.force;
+  force_before_ = own_load_.force;
   advance(speed_ * update->dt);
 }
 
@@ -111,15 +109,14 @@ void RigidWall::check_reach()
 // Trapezoid of the force over the step: the work a spring between wall and grain really takes.
 void RigidWall::final_integrate()
 {
-  sum_load();
-  work_ += 0.5 * (force_before_ + load_.force) * speed_ * update->dt;
+  work_ += 0.5 * (force_before_ + own_load_.force) * speed_ * update->dt;
 }
 
 int RigidWall::modify_param(int narg, char** arg)
 {
   try {
     static const KeywordTable drive_only{WallDrive::keywords(), {}};
-    if (load_.stiffness > 0.0) find_partners();  // a ramp starts from the stress they give
+    if (load().stiffness > 0.0) find_partners();  // a ramp starts from the stress they give
     read_wall(drive_only.read(narg, arg, 0));
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
@@ -130,8 +127,8 @@ int RigidWall::modify_param(int narg, char** arg)
 void RigidWall::write_restart(FILE* file)
 {
   static_assert(std::is_trivially_copyable_v<Saved>);
+  const Saved saved{work_on_grains(), position(), speed_, stress_now(), drive_};
   if (comm->me != 0) return;
-  const Saved saved{work_, position(), speed_, stress_now(), drive_};
   const int size = sizeof(Saved);
   fwrite(&size, sizeof(int), 1, file);
   fwrite(&saved, sizeof(Saved), 1, file);
@@ -142,7 +139,7 @@ void RigidWall::restart(char* buffer)
 {
   Saved saved;
   std::memcpy(&saved, buffer, sizeof(Saved));
-  work_ = saved.work;
+  work_ = comm->me == 0 ? saved.work : 0.0;
   speed_ = saved.speed;
   set_position(saved.position);
   drive_ = saved.drive;

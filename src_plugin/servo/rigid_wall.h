@@ -31,8 +31,9 @@ class RigidWall : public ContactMemoryFix {
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
-  const WallLoad& load() const { return load_; }
-  double work_on_grains() const { return work_; }
+  /// Of all ranks, to be asked on all of them together: summed up when first asked in a step.
+  const WallLoad& load() const;
+  double work_on_grains() const;           ///< of all ranks [J], to be asked on all of them
   double speed() const { return speed_; }  ///< towards the specimen [m/s]
   double ramp_left() const { return static_cast<double>(drive_.ramp_left(update->ntimestep)); }
 
@@ -63,10 +64,6 @@ class RigidWall : public ContactMemoryFix {
   void press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row);
   template <typename Row>
   void press_row(const GrainArrays& grains, Row& row);
-  void push(const GrainArrays& grains, int i, const Vec3& force, const Vec3& moment,
-            double normal_force, const ContactStiffness& stiffness);
-  void sum_load();
-
   /// The state in a restart file; the stress is where a ramp would start.
   struct Saved {
     double work, position, speed, stress;
@@ -84,17 +81,21 @@ class RigidWall : public ContactMemoryFix {
   int wall_type_ = 0;
   bool rolling_ = false;
   bool advance_memory_ = true;
-  WallLoad load_;
-  double speed_ = 0.0, work_ = 0.0, force_before_ = 0.0;
-  std::vector<int> near_;         ///< grains that may touch until lists are made anew
-  double listed_position_ = 0.0;  ///< of the wall, when they were found [m]
+  WallLoad own_load_;     ///< of this rank
+  mutable WallLoad sum_;  ///< of all, once load() was asked for it
+  mutable bool summed_ = true;
+  double speed_ = 0.0;
+  double work_ = 0.0, force_before_ = 0.0;  ///< of this rank
+  std::vector<int> near_;                   ///< grains that may touch until lists are made anew
+  double listed_position_ = 0.0;            ///< of the wall, when they were found [m]
 };
 
 template <typename Shape>
 void RigidWall::press_grains_with(const Shape& shape)
 {
   desk_.ask_probes();
-  load_ = WallLoad();
+  own_load_ = WallLoad();
+  summed_ = false;
   // Grains keep their numbers between two lists of pairs.
   if (neighbor->ago == 0 || std::abs(position() - listed_position_) > 0.5 * neighbor->skin)
     list_grains_near(shape);
@@ -117,10 +118,11 @@ void RigidWall::list_grains_near(const Shape& shape)
   for (int i = 0; i < atom->nlocal; ++i)
     if ((atom->mask[i] & groupbit) && shape.touches(atom->x[i], atom->radius[i] + margin))
       near_.push_back(i);
+  remember(near_);
 }
 
-/// Calls `found(i, touch)` for every grain that touches the wall. Those are picked out first,
-/// without a branch: which ones touch cannot be guessed, and a wrong guess waits for memory.
+/// Calls `found(n, touch)` for every grain near_[n] that touches the wall. Those are picked out
+/// first, without a branch: which ones touch cannot be guessed, and a wrong guess waits for memory.
 template <typename Shape, typename Found>
 void RigidWall::find_contacts(const Shape& shape, const GrainArrays& grains, const Found& found)
 {
@@ -130,18 +132,19 @@ void RigidWall::find_contacts(const Shape& shape, const GrainArrays& grains, con
   for (int first = 0; first < all; first += most) {
     int number = 0;
     for (int n = first; n < std::min(first + most, all); ++n) {
-      touching[number] = near_[n];
+      touching[number] = n;
       number += shape.touches(grains.x + 3 * near_[n], grains.radius[near_[n]]);
     }
     for (int m = 0; m < number; ++m) {
-      const int i = touching[m];
+      const int i = near_[touching[m]];
       const double* const center = grains.x + 3 * i;
       const Vec3 normal = shape.normal(center);
-      found(i, Touch{std::max(shape.overlap(center, grains.radius[i]), 0.0),
-                     normal,
-                     desk_.has_dashpots() ? grains.mass[i] : 0.0,
-                     {grains.radius[i], as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
-                     {0.0, -speed_ * normal, Vec3::Zero()}});
+      found(touching[m],
+            Touch{std::max(shape.overlap(center, grains.radius[i]), 0.0),
+                  normal,
+                  desk_.has_dashpots() ? grains.mass[i] : 0.0,
+                  {grains.radius[i], as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
+                  {0.0, -speed_ * normal, Vec3::Zero()}});
     }
   }
 }
@@ -149,11 +152,12 @@ void RigidWall::find_contacts(const Shape& shape, const GrainArrays& grains, con
 template <typename Shape, typename Row>
 void RigidWall::press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row)
 {
-  find_contacts(shape, grains, [&](int i, const Touch& touch) {
+  find_contacts(shape, grains, [&](int n, const Touch& touch) {
+    const int i = near_[n];
     // A center beyond the wall is still pushed back.
     const double distance = std::max(touch.i.radius - touch.overlap, 1e-3 * touch.i.radius);
     row.add(i, -1, 1.0, desk_.material(grains.type[i], wall_type_), distance * touch.normal,
-            touch.i, touch.j, touch.mass, contact_memory(i));
+            touch.i, touch.j, touch.mass, contact_memory(n));
     if (row.is_full()) press_row(grains, row);
   });
   press_row(grains, row);
@@ -163,8 +167,17 @@ template <typename Row>
 void RigidWall::press_row(const GrainArrays& grains, Row& row)
 {
   desk_.resolve(row, advance_memory_);
-  for (int n = 0; n < row.count(); ++n)
-    push(grains, row.i(n), row.force(n), row.moment_i(n), row.normal_force(n), row.stiffness(n));
+  const double step = static_cast<double>(update->ntimestep);
+  for (int n = 0; n < row.count(); ++n) {
+    const int i = row.i(n);
+    const ContactStiffness stiffness = row.stiffness(n);
+    // The inertia of a grain that touched before has borne its springs since.
+    if (row.is_new(n, step) || !advance_memory_) desk_.bear_wall_contact(i, stiffness);
+    as_vec3(grains.force + 3 * i) += row.force(n);
+    as_vec3(grains.moment + 3 * i) += row.moment_i(n);
+    own_load_.force += row.normal_force(n);
+    own_load_.stiffness += stiffness.normal;
+  }
   row.clear();
 }
 

@@ -2,6 +2,7 @@
 // looks after itself.
 #include "shell/fix_mesh_surface_shell.h"
 
+#include "host/grain_arrays.h"
 #include "host/rank_sums.h"
 #include "host/stop_run.h"
 #include "servo/fix_servo_platen.h"
@@ -71,9 +72,11 @@ void FixMeshSurfaceShell::press_grains(bool advance_memory)
 {
   desk_.ask_probes();
   // Lists of pairs and of facets hold together: grains keep their numbers in between.
-  if (neighbor->ago == 0 || contacts_.is_stale(*model_))
+  if (neighbor->ago == 0 || contacts_.is_stale(*model_)) {
     contacts_.list(*model_, atom->nlocal ? atom->x[0] : nullptr, atom->radius, atom->nlocal,
                    neighbor->skin);
+    remember(contacts_.grains());
+  }
   if (rolling_)
     press<true>(advance_memory);
   else
@@ -85,11 +88,13 @@ void FixMeshSurfaceShell::press(bool advance_memory)
 {
   const double step = static_cast<double>(update->ntimestep);
   vertical_force_ = 0.0;
+  if (contacts_.size() == 0) return;
   if (!rigid_) contacts_.look_at(*model_);
+  const GrainArrays grains(atom);
   for (int n = 0; n < contacts_.size(); ++n) {
     const int i = contacts_.grain(n);
-    const double radius = atom->radius[i];
-    const Vec3 center = as_vec3(atom->x[i]);
+    const double radius = grains.radius[i];
+    const Vec3 center = as_vec3(grains.x + 3 * i);
     if (!(atom->mask[i] & groupbit) || !contacts_.touches(*model_, n, center, radius)) continue;
     if (contacts_.is_behind(*model_))
       stop_from_one_rank(
@@ -106,15 +111,15 @@ void FixMeshSurfaceShell::press(bool advance_memory)
     }
     const Touch touch{smooth.overlap,
                       smooth.normal,
-                      atom->rmass[i],
-                      {radius, as_vec3(atom->v[i]), as_vec3(atom->omega[i])},
+                      grains.mass[i],
+                      {radius, as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
                       {0.0, surface.velocity, surface.spin}};
     const ContactAction action =
-        resolve_contact<rolling>(stiffened(desk_.material(atom->type[i], type_), smooth), touch,
-                                 update->dt, step, advance_memory, contact_memory(i));
+        resolve_contact<rolling>(stiffened(desk_.material(grains.type[i], type_), smooth), touch,
+                                 update->dt, step, advance_memory, contact_memory(n));
     desk_.bear_wall_contact(i, action.stiffness);
-    as_vec3(atom->f[i]) += action.force;
-    as_vec3(atom->torque[i]) += action.moment_i;
+    as_vec3(grains.force + 3 * i) += action.force;
+    as_vec3(grains.moment + 3 * i) += action.moment_i;
     const Vec3 shear = -action.force - action.normal_force * smooth.normal;
     if (!rigid_) contacts_.press(*model_, action.normal_force, shear, action.moment_j);
     vertical_force_ -= action.force.z();

@@ -29,6 +29,7 @@ class SleeveContacts {
   /// Listed grains, in the order of their numbers.
   int size() const { return static_cast<int>(grain_.size()); }
   int grain(int n) const { return grain_[n]; }
+  const std::vector<int>& grains() const { return grain_; }
 
   /// Before touches(), where nodes have moved since list().
   void look_at(const ShellModel& model);

@@ -114,3 +114,37 @@ TEST(ContactMemory, OutlivesAnotherChoiceOfListsBetweenTwoRuns)
   EXPECT_NEAR(outcome.value("fy[2]"), outcome.value("v_before"),
               1e-12 * std::abs(outcome.value("v_before")));
 }
+
+// Grains that touch the cylinder are drawn along its axis, each at its speed, two of them from one
+// rank to the other. Springs that went lost or to another grain with any of the lists, which are
+// made anew with every step, would show: each must be as long as the way.
+TEST(ContactMemory, OfAWallGoesWithItsGrainThroughListsAndRanks)
+{
+  const double step = 1e-5, at = 0.0499 - radius + 5e-5;
+  const double speeds[] = {0.04, 0.02, 0.03,
+                           0.05};  // m/s; grain 2 takes the place of 4 when that leaves
+  std::string paths;
+  for (int n = 0; n < 4; ++n) {
+    const std::string id = std::to_string(n + 1);
+    paths += "group g" + id + " id " + id + "\nfix path" + id + " g" + id + " move linear 0 0 " +
+             digits(speeds[n]) + "\n";
+  }
+  for (const int ranks : {1, 2}) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run_deck(material(7e6, 10) + grain(at, 0, 0.15) + grain(-at, 0, 0.09999) +
+                     grain(0, at, 0.05) + grain(0, -at, 0.09999) + grain(0, 0, 0.02) + grain_size +
+                     "neigh_modify every 1 delay 0 check no\n"
+                     "fix side all servo/cylinder radius 0.0499 platens top bottom type 2\n" +
+                     platen("top", 0.3) + platen("bottom", -0.1) + "timestep " + digits(step) +
+                     "\n" + paths + "run 100\n" + print_numbers("fz[1] fz[2] fz[3] fz[4]"),
+                 ranks, folder.path());
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    ASSERT_TRUE(outcome.says("Neighbor list builds = 100"));
+    for (int n = 0; n < 4; ++n) {
+      const double spring = pi * radius * 7e6 * speeds[n] * step * 100;  // N, k_n = k_s = pi r E*
+      EXPECT_NEAR(outcome.value("fz[" + std::to_string(n + 1) + "]"), -spring, 1e-9 * spring)
+          << "grain " << n + 1 << ", ranks: " << ranks;
+    }
+  }
+}
