@@ -162,7 +162,7 @@ void FixMotion::initial_integrate(int)
     RowKick kick;
     if (unfinished_ && !gets_heavier_before(first + count)) {
       const TwoKicks kicks = kick_grains_twice(grains, damping_, 0.5 * dt);
-      loss_ += kicks.last.loss;
+      loss_ += kicks.loss_of_last;
       kick = kicks.first;
     } else {
       if (unfinished_) {

@@ -28,7 +28,8 @@ RowKick kick_grains(const GrainRow& row, double alpha, double half_step);
 /// The last half of a step and the first of the next, which begin with the same forces: as
 /// kick_grains() twice, to the last bit.
 struct TwoKicks {
-  RowKick last, first;
+  double loss_of_last;  ///< [J]
+  RowKick first;
 };
 TwoKicks kick_grains_twice(const GrainRow& row, double alpha, double half_step);
 

@@ -98,7 +98,7 @@ TEST(KickGrains, TwiceIsTwoKicksToTheLastBit)
     const RowKick first = kick_grains(in_turn.row(), 0.7, 1e-4);
     EXPECT_EQ(together.velocity, in_turn.velocity);
     EXPECT_EQ(together.spin, in_turn.spin);
-    EXPECT_NEAR(kicks.last.loss, last.loss, 1e-14 * std::abs(last.loss));
+    EXPECT_NEAR(kicks.loss_of_last, last.loss, 1e-14 * std::abs(last.loss));
     EXPECT_NEAR(kicks.first.loss, first.loss, 1e-14 * std::abs(first.loss));
     EXPECT_EQ(kicks.first.fastest, first.fastest);
   }
