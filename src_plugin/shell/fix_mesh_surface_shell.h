@@ -61,6 +61,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
 
  private:
   void read_mesh(const Options& options);
+  void read_weighing(const Options& options);
   void require_upright(const SurfaceMesh& mesh) const;
   void read_material(const Options& options);
   void read_changeable(const Options& options);
