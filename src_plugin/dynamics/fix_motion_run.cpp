@@ -127,9 +127,13 @@ void FixMotion::collect()
 
 void FixMotion::add_contact(const Contact& contact)
 {
-  stiffness_[contact.i].add(contact.normal, contact.normal_stiffness, contact.shear_stiffness);
-  if (contact.j >= 0 && contact.j < atom->nlocal)
-    stiffness_[contact.j].add(contact.normal, contact.normal_stiffness, contact.shear_stiffness);
+  const double k_n = contact.normal_stiffness, k_s = contact.shear_stiffness;
+  GrainStiffness& stiffness = stiffness_[contact.i];
+  stiffness.add(contact.normal, k_n, k_s);
+  if (contact.j < 0)
+    stiffness.wall = std::max(stiffness.wall, wall_stiffness(k_n, k_s, rolling_));
+  else if (contact.j < atom->nlocal)
+    stiffness_[contact.j].add(contact.normal, k_n, k_s);
   contact_force_sum_ += contact.share * contact.force.norm();
   contact_count_ += contact.share;
 }

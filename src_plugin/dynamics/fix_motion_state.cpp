@@ -21,9 +21,10 @@ void FixMotion::copy_arrays(int from, int to, int)
   inertia_[to] = inertia_[from];
 }
 
+// The host calls with -1 on a rank that got none of the grains of `read_data`.
 void FixMotion::set_arrays(int i)
 {
-  inertia_[i] = atom->rmass[i];
+  if (i >= 0) inertia_[i] = atom->rmass[i];
   made_grains_ = true;
 }
 

@@ -15,6 +15,7 @@ namespace encased_column {
 struct GrainStiffness {
   Vec3 translation = Vec3::Zero();
   Vec3 rotation = Vec3::Zero();
+  double wall = 0.0;  ///< the largest of the grain's contacts with walls, wall_stiffness()
 
   void add(const Vec3& normal, double normal_stiffness, double shear_stiffness)
   {
@@ -29,7 +30,7 @@ struct GrainStiffness {
   /// rotation counts twice.
   double decisive(bool rolling = false) const
   {
-    return std::max(translation.maxCoeff(), (rolling ? 2.0 : 1.0) * rotation.maxCoeff());
+    return std::max({translation.maxCoeff(), (rolling ? 2.0 : 1.0) * rotation.maxCoeff(), wall});
   }
 };
 
@@ -38,6 +39,13 @@ struct GrainStiffness {
 inline double decisive_ratio(double stiffness_ratio, bool rolling)
 {
   return std::max(1.0, (rolling ? 2.0 : 1.0) / (0.4 * stiffness_ratio));
+}
+
+/// Stiffness [N/m] that a contact with a wall asks the grain's mass to be set against, whatever its
+/// direction; the sums per axis may ask less of an oblique one.
+inline double wall_stiffness(double normal_stiffness, double shear_stiffness, bool rolling)
+{
+  return normal_stiffness * decisive_ratio(normal_stiffness / shear_stiffness, rolling);
 }
 
 /// Stable step [s] of a mass [kg] on a stiffness [N/m]: f sqrt(m/k).

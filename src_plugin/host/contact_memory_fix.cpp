@@ -33,7 +33,7 @@ void ContactMemoryFix::remember(const std::vector<int>& near)
   memories_.resize(near.size());
   for (std::size_t n = 0; n < near.size(); ++n)
     memories_[n] = place_[near[n]] == none ? nothing : old_[place_[near[n]]];
-  std::fill_n(place_, atom->nlocal, none);
+  std::fill_n(place_, room_, none);
   for (std::size_t n = 0; n < near.size(); ++n) place_[near[n]] = static_cast<int>(n);
 }
 
@@ -45,9 +45,12 @@ void ContactMemoryFix::bring(int i, const double* numbers)
   std::copy_n(numbers, memory_size_rolling, memories_.emplace_back().numbers);
 }
 
+// `read_data add` names only the last of the grains it makes to set_arrays().
 void ContactMemoryFix::grow_arrays(int n)
 {
   memory->grow(place_, n, "wall:memory");
+  if (n > room_) std::fill(place_ + room_, place_ + n, none);
+  room_ = n;
 }
 
 void ContactMemoryFix::copy_arrays(int from, int to, int)
@@ -55,9 +58,10 @@ void ContactMemoryFix::copy_arrays(int from, int to, int)
   place_[to] = place_[from];
 }
 
+// The host calls with -1 on a rank that got none of the grains of `read_data`.
 void ContactMemoryFix::set_arrays(int i)
 {
-  place_[i] = none;
+  if (i >= 0) place_[i] = none;
 }
 
 int ContactMemoryFix::pack_exchange(int i, double* buffer)

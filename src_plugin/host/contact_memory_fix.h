@@ -49,6 +49,7 @@ class ContactMemoryFix : public LAMMPS_NS::Fix, public BlindToVelocity {
   void bring(int i, const double* numbers);
 
   int* place_ = nullptr;  ///< of each grain's memory, or none
+  int room_ = 0;          ///< for so many
   std::vector<Memory> memories_, old_;
 };
 

@@ -13,9 +13,8 @@ class InertiaOwner {
   void bear_wall_contact(int i, double normal_stiffness, double shear_stiffness)
   {
     if (scaled_step_ <= 0.0) return;
-    const double stiffness =
-        normal_stiffness * decisive_ratio(normal_stiffness / shear_stiffness, rolling_);
-    const double needed = mass_for_step(scaled_step_, stiffness, safety_);
+    const double needed = mass_for_step(
+        scaled_step_, wall_stiffness(normal_stiffness, shear_stiffness, rolling_), safety_);
     if (needed > inertia_[i]) make_heavier(i, needed);
   }
 

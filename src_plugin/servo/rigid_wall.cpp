@@ -27,6 +27,7 @@ void RigidWall::read_wall(const Options& options)
   if (on_fix_line) on_fix_line_ = options;
   if (options.has("type") || on_fix_line) {
     wall_type_ = static_cast<int>(options.integer("type", 1));
+    material_is_new_ = true;
     if (wall_type_ > atom->ntypes)
       throw InputError("'type' must be one of the " + std::to_string(atom->ntypes) +
                        " atom types, found " + std::to_string(wall_type_) +
@@ -90,7 +91,8 @@ void RigidWall::initial_integrate(int)
                         by_load ? loaded_area() : 0.0, by_load ? usual_speed_limit() : 0.0);
   check_reach();
   force_before_ = own_load_.force;
-  advance(speed_ * update->dt);
+  way_ = speed_ * update->dt;
+  advance(way_);
 }
 
 // The load is the same on every rank, and so is the end.
@@ -106,10 +108,11 @@ void RigidWall::check_reach()
   error->fix_error(FLERR, this, found.c_str());
 }
 
-// Trapezoid of the force over the step: the work a spring between wall and grain really takes.
+// Trapezoid of the force over the way: the work a spring between wall and grain really takes. The
+// step may be another by now.
 void RigidWall::final_integrate()
 {
-  work_ += 0.5 * (force_before_ + own_load_.force) * speed_ * update->dt;
+  work_ += 0.5 * (force_before_ + own_load_.force) * way_;
 }
 
 int RigidWall::modify_param(int narg, char** arg)

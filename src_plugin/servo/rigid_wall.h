@@ -81,10 +81,13 @@ class RigidWall : public ContactMemoryFix {
   int wall_type_ = 0;
   bool rolling_ = false;
   bool advance_memory_ = true;
+  bool material_is_new_ = false;
+  /// The inertia of no grain may have borne its contact yet, though it touched before this step.
+  bool all_are_new_ = false;
   WallLoad own_load_;     ///< of this rank
   mutable WallLoad sum_;  ///< of all, once load() was asked for it
   mutable bool summed_ = true;
-  double speed_ = 0.0;
+  double speed_ = 0.0, way_ = 0.0;          ///< of this step [m/s], [m]
   double work_ = 0.0, force_before_ = 0.0;  ///< of this rank
   std::vector<int> near_;                   ///< grains that may touch until lists are made anew
   double listed_position_ = 0.0;            ///< of the wall, when they were found [m]
@@ -96,6 +99,9 @@ void RigidWall::press_grains_with(const Shape& shape)
   desk_.ask_probes();
   own_load_ = WallLoad();
   summed_ = false;
+  // Radii grow in steps that make lists anew.
+  all_are_new_ = !advance_memory_ || neighbor->ago == 0 || material_is_new_;
+  material_is_new_ = false;
   // Grains keep their numbers between two lists of pairs.
   if (neighbor->ago == 0 || std::abs(position() - listed_position_) > 0.5 * neighbor->skin)
     list_grains_near(shape);
@@ -171,8 +177,7 @@ void RigidWall::press_row(const GrainArrays& grains, Row& row)
   for (int n = 0; n < row.count(); ++n) {
     const int i = row.i(n);
     const ContactStiffness stiffness = row.stiffness(n);
-    // The inertia of a grain that touched before has borne its springs since.
-    if (row.is_new(n, step) || !advance_memory_) desk_.bear_wall_contact(i, stiffness);
+    if (row.is_new(n, step) || all_are_new_) desk_.bear_wall_contact(i, stiffness);
     as_vec3(grains.force + 3 * i) += row.force(n);
     as_vec3(grains.moment + 3 * i) += row.moment_i(n);
     own_load_.force += row.normal_force(n);

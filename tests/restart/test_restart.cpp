@@ -170,6 +170,33 @@ TEST(Restart, GoesOnAtAnyStepAsTheRunThatWroteTheFileWithoutAStop)
   }
 }
 
+// The set-up of a run weighs all wall contacts against the inertia, a step only new ones: that must
+// find nothing to raise, also where the wall is stiffer than the grains, whose sums per axis ask
+// less for an oblique contact than the contact itself does, and where radii have just grown.
+TEST(Restart, GoesOnAtAnyStepWhereTheWallIsStiff)
+{
+  const auto with_stiff_side = [](std::string deck) {
+    for (const auto& [from, to] :
+         {std::pair{"7e6 7e6 7e6 7e6 7e6 7e6 7e6 7e6 7e6", "7e6 7e6 7e7 7e6 7e6 7e6 7e7 7e6 7e7"},
+          std::pair{"2 2 2 2 2 2 2 2 2", "3.5 3.5 3.5 3.5 3.5 3.5 3.5 3.5 3.5"},
+          std::pair{" rolling_friction epsd2", ""}})
+      deck.replace(deck.find(from), std::string(from).size(), to);
+    return unsorted(deck);
+  };
+  for (const long stop : {613L, 3937L}) {
+    const TemporaryFolder folder;
+    const std::string during = "restart " + std::to_string(stop) + " during.*\n";
+    const std::string last = "run " + std::to_string(stop + 263) + " upto\n" + picture("grains");
+    const bool grows = stop < 1000;
+    run_in(folder.path(), with_stiff_side(new_specimen((grows ? "" : shear) + during + last)));
+    const std::string whole = read_text(folder.path() / "grains");
+    run_in(folder.path(), with_stiff_side(specimen_of("during." + std::to_string(stop),
+                                                      (grows ? growth : "") + last)));
+    EXPECT_GT(whole.size(), 10000u);
+    EXPECT_EQ(read_text(folder.path() / "grains"), whole) << "from step " << stop;
+  }
+}
+
 // Without a stop the lists are built at other steps and forces are summed in another order:
 // round-off, which local damping, a switch on the sign of small velocities, makes grow tenfold in
 // some 30 steps.

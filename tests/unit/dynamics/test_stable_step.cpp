@@ -131,3 +131,22 @@ TEST(DecisiveRatio, IsRotationWhereTheShearSpringIsStiff)
   EXPECT_DOUBLE_EQ(decisive_ratio(0.01, false), 250.0);
   EXPECT_DOUBLE_EQ(decisive_ratio(1.0, true), 5.0);
 }
+
+// The largest stiffness of one contact, over all directions, is an eigenvalue of its matrices; the
+// sums per axis of an oblique contact stay below it.
+TEST(WallStiffness, IsTheLargestEigenvalueOfAContactInAnyDirection)
+{
+  for (const double k_s : {30.0, 1.0, 0.2}) {
+    const double k_n = 1.0;
+    const Vec3 n = Vec3(1.0, 1.0, 0.2).normalized();
+    const Mat3 along = n * n.transpose(), across = Mat3::Identity() - along;
+    const double largest = std::max(symmetric_eigenvalues(k_n * along + k_s * across).maxCoeff(),
+                                    symmetric_eigenvalues(k_s / 0.4 * across).maxCoeff());
+    EXPECT_NEAR(wall_stiffness(k_n, k_s, false), largest, 1e-14 * largest) << "k_s " << k_s;
+    GrainStiffness grain;
+    grain.add(n, k_n, k_s);
+    EXPECT_LT(grain.decisive(), (1.0 - 1e-3) * largest);
+    grain.wall = wall_stiffness(k_n, k_s, false);
+    EXPECT_EQ(grain.decisive(), grain.wall);
+  }
+}
