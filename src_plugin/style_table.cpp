@@ -3,6 +3,7 @@
 #include "host/granular_host.h"
 
 #include "contact/register_linear.h"
+#include "deck/require_command.h"
 #include "dynamics/fix_motion.h"
 #include "dynamics/solve_command.h"
 #include "measure/fix_measure_sphere.h"
@@ -35,6 +36,7 @@ const std::vector<Style>& style_table()
       {"output/grains", make<FixOutputGrains>()},
       {"output/restart", make<FixOutputRestart>()},
       {"output/sleeve", make<FixOutputSleeve>()},
+      {"require", make<RequireCommand>()},
       {"servo/cylinder", make<FixServoCylinder>()},
       {"servo/platen", make<FixServoPlaten>()},
       {"solve", make<SolveCommand>()},

@@ -5,6 +5,7 @@
 #include "host/blind_to_velocity.h"
 #include "host/force_clearing.h"
 #include "host/gravity.h"
+#include "host/rank_sums.h"
 
 #include "output.h"
 

@@ -53,6 +53,7 @@ int FixSpecimenHistory::setmask()
 
 void FixSpecimenHistory::init()
 {
+  most_grains_ = atom->natoms;
   try {
     FixServoPlaten* platens[2];
     find_platens(lmp, platen_ids_, platens);

@@ -68,6 +68,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   SpecimenSide* side_ = nullptr;
   FixMotion* motion_ = nullptr;
 
+  LAMMPS_NS::bigint most_grains_ = 0;  ///< in any sample of this run
   bool setting_up_ = false;
   bool reference_wanted_ = false;
   std::vector<int> contacts_of_;
