@@ -70,7 +70,6 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   bool others_act(int stages, const LAMMPS_NS::Fix* last) const;
   void take_over_sums();
   void start_sums(int first, int count);
-  bool touches_nothing(int i) const;
   /// To the free speed those of `count` grains that are faster and touch nothing.
   void slow_down(int first, int count);
   void collect();

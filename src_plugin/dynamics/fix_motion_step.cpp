@@ -2,6 +2,7 @@
 #include "dynamics/fix_motion.h"
 
 #include "core/constants.h"
+#include "dynamics/free_speed.h"
 #include "dynamics/kinetic_energy.h"
 #include "host/rank_sums.h"
 
@@ -116,22 +117,15 @@ void FixMotion::for_rows(const Kick& kick) const
   }
 }
 
-// Forces were summed up in a cleared array: on a grain without contact nothing is left but its
-// weight.
-bool FixMotion::touches_nothing(int i) const
-{
-  return (as_vec3(atom->f[i]) - atom->rmass[i] * gravity_).squaredNorm() <=
-         1e-20 * atom->rmass[i] * atom->rmass[i] * gravity_.squaredNorm();
-}
-
 void FixMotion::slow_down(int first, int count)
 {
   double* const v = atom->v[first];
   for (int k = 0; k < count; ++k) {
-    const double square = as_vec3(v + 3 * k).squaredNorm();
-    if (square <= free_speed_square_ || !touches_nothing(first + k)) continue;
-    as_vec3(v + 3 * k) *= std::sqrt(free_speed_square_ / square);
-    loss_ += 0.5 * inertia_[first + k] * (square - free_speed_square_);
+    const int i = first + k;
+    if (as_vec3(v + 3 * k).squaredNorm() <= free_speed_square_ ||
+        !feels_only_weight(as_vec3(atom->f[i]), atom->rmass[i], gravity_))
+      continue;
+    loss_ += slow_down_to(free_speed_square_, inertia_[i], v + 3 * k);
   }
 }
 
