@@ -28,18 +28,15 @@ std::map<std::string, std::string> comments_of(const fs::path& folder)
   return comments;
 }
 
-/// Takes the unit a comment begins with off it.
+/// Takes the unit in brackets that a comment begins with off it.
 std::string take_unit(std::string& comment)
 {
-  for (const std::string unit : {"N/m", "kg/m^3", "m per step", "Pa", "m"}) {
-    if (comment.compare(0, unit.size(), unit) != 0) continue;
-    const char next = comment.size() > unit.size() ? comment[unit.size()] : ',';
-    if (next != ',' && next != ' ') continue;
-    comment.erase(0, unit.size());
-    comment.erase(0, comment.find_first_not_of(", "));
-    return unit;
-  }
-  return "-";
+  static const std::regex unit_and_meaning(R"(\[([^\]]+)\]\s*(.*))");
+  std::smatch found;
+  if (!std::regex_match(comment, found, unit_and_meaning)) return "-";
+  const std::string unit = found[1];
+  comment = found.str(2);
+  return unit;
 }
 
 /// `value` with each ${name} in it replaced by that variable.

@@ -16,7 +16,7 @@ struct DeckInput {
 };
 
 /// The variables of `run`, with unit and meaning from the comments of the deck in its folder
-/// (`variable radius index 0.05  # m, of the specimen`).
+/// (`variable radius index 0.05  # [m] of the specimen`).
 std::vector<DeckInput> deck_inputs(const CaseRun& run);
 
 }  // namespace encased_column

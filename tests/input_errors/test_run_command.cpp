@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <regex>
 
 using namespace encased_column::testing;
 namespace fs = std::filesystem;
@@ -38,6 +39,35 @@ TEST(RunCommand, ShowsHelpAndCasesFromAnywhere)
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_TRUE(list.says("* plain_050")) << list.output;
   EXPECT_TRUE(list.says("confining stress")) << list.output;
+}
+
+TEST(RunCommand, ListsEveryVariableWithDefaultUnitAndMeaning)
+{
+  const std::regex variable(R"(\w+ +(as )?[^ $]+ +\[[^\]]+\] +[A-Za-z0-9].*)");
+  bool among_variables = false;
+  int variables = 0;
+  for (const std::string& line : run_command({"--list"}).lines()) {
+    if (line.rfind("Variables of", 0) == 0)
+      among_variables = true;
+    else if (among_variables && !line.empty()) {
+      ++variables;
+      EXPECT_TRUE(std::regex_match(line, variable)) << line;
+    }
+  }
+  EXPECT_GT(variables, 50);
+}
+
+TEST(RunCommand, ListsFilesToReadByTheirPathInTheProject)
+{
+  const std::string list = run_command({"--list"}).output;
+  const std::regex page(R"([\w/]+\.md)");
+  int pages = 0;
+  for (std::sregex_iterator found(list.begin(), list.end(), page), end; found != end; ++found) {
+    ++pages;
+    EXPECT_TRUE(fs::exists(source / found->str())) << found->str();
+    EXPECT_NE(found->suffix().str().rfind(" here", 0), 0u) << found->str();
+  }
+  EXPECT_GT(pages, 3);
 }
 
 TEST(RunCommand, RefusesAnUnknownOption)
