@@ -11,13 +11,6 @@ namespace encased_column {
 
 namespace {
 
-std::string joined(const std::vector<std::string>& words)
-{
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 bool is_sleeve(LAMMPS_NS::LAMMPS* lmp, const std::string& id)
 {
   const int n = lmp->modify->find_fix(id.c_str());

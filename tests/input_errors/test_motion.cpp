@@ -48,22 +48,24 @@ run   1
 
 TEST(Motion, RefusesDampingOutOfRange)
 {
-  expect_refused("two_grains", R"(
+  expect_refused(
+      "two_grains", R"(
 unfix move
 fix   move all motion damping 1.5
 run   1
 )",
-                 "'damping' must be between 0 and 0.99, found 1.5");
+      "'damping' must be between 0 and 0.99, found 1.5, write for example 'damping 0.5'");
 }
 
 TEST(Motion, RefusesHalfANumber)
 {
-  expect_refused("two_grains", R"(
+  expect_refused(
+      "two_grains", R"(
 unfix move
 fix   move all motion safety 0.1.7
 run   1
 )",
-                 "'safety' takes a finite number, found '0.1.7', write for example 'safety 0.5'");
+      "'safety' takes a finite number, found '0.1.7', write for example '0.5' in its place");
 }
 
 TEST(Motion, RefusesAStepBelowZero)
@@ -133,5 +135,6 @@ unfix move
 fix   move all motion
 solve ratio mean 1e-5
 )",
-                 "'ratio' must be one of: average, maximum; found 'mean'");
+                 "'ratio' must be one of: average, maximum; found 'mean', write for example 'ratio "
+                 "average 1e-5'");
 }

@@ -96,7 +96,7 @@ TEST(Chains, RefuseAThresholdThatIsNoNumber)
 {
   expect_refused(
       "two_grains", "fix chains all output/contacts every 100 folder chains threshold 5N\nrun 1\n",
-      "'threshold' takes a finite number, found '5N', write for example 'threshold 0.5'");
+      "'threshold' takes a finite number, found '5N', write for example '0.5' in its place");
 }
 
 TEST(Chains, RefuseALevelOfZero)

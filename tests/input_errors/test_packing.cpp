@@ -64,11 +64,11 @@ TEST(Packing, RefusesAReportThatCannotBeWritten)
 TEST(Growth, RefusesAStartBeyondTheFullRadius)
 {
   expect_refused("one_grain", "fix grow all grow/radius from 1.5\nrun 1\n",
-                 "'from' must be between 0.01 and 1, found 1.5");
+                 "'from' must be between 0.01 and 1, found 1.5, write for example 'from 0.5'");
 }
 
 TEST(Growth, RefusesNoStages)
 {
   expect_refused("one_grain", "fix grow all grow/radius from 0.5 stages 0\nrun 1\n",
-                 "'stages' must be 1 or larger, found 0");
+                 "'stages' must be 1 or larger, found 0, write for example 'stages 1'");
 }

@@ -95,8 +95,12 @@ TEST(Sleeve, RefusesAMeshThatLies)
 TEST(Sleeve, RefusesAThicknessThatIsNone)
 {
   const std::string rest = mesh + platens + " modulus 11.5e6 poisson 0.3 density 30";
-  expect_no_sleeve(rest + " thickness 0", "'thickness' must be larger than zero, found 0");
-  expect_no_sleeve(rest + " thickness -0.01", "'thickness' must be larger than zero, found -0.01");
+  expect_no_sleeve(
+      rest + " thickness 0",
+      "'thickness' must be larger than zero, found 0, write for example 'thickness 1'");
+  expect_no_sleeve(
+      rest + " thickness -0.01",
+      "'thickness' must be larger than zero, found -0.01, write for example 'thickness 0.01'");
 }
 
 TEST(Sleeve, RefusesAPoissonsRatioOutOfItsRange)
@@ -111,7 +115,8 @@ TEST(Sleeve, RefusesAPoissonsRatioOutOfItsRange)
 TEST(Sleeve, RefusesAnEndOfUnknownKind)
 {
   expect_no_sleeve(mesh + platens + material + " top_end glued",
-                   "'top_end' must be one of: held, clamped, radial, platen, free; found 'glued'");
+                   "'top_end' must be one of: held, clamped, radial, platen, free; found 'glued', "
+                   "write for example 'top_end held'");
 }
 
 TEST(Sleeve, RefusesAPlatenThatIsNotThere)
@@ -131,7 +136,7 @@ TEST(Sleeve, RefusesThePlatensTheWrongWayRound)
 TEST(Sleeve, RefusesAPressureThatRampsOverNoSteps)
 {
   expect_no_sleeve(mesh + platens + material + " pressure 50e3 ramp 0",
-                   "'ramp' must be 1 or larger, found 0");
+                   "'ramp' must be 1 or larger, found 0, write for example 'ramp 1'");
   expect_no_sleeve(mesh + platens + material + " ramp 100",
                    "'ramp' goes with 'pressure', found it alone, write 'pressure 50e3 ramp 1000'");
 }
