@@ -128,7 +128,7 @@ TEST(Collection, RefusesAPartOfAnotherKind)
 {
   expect_refused("two_grains", "fix together all output/collection part move\nrun 1\n",
                  "'part' must name a fix that writes a series, found 'move', which is a 'fix "
-                 "nve/sphere'");
+                 "nve/sphere', write the ID of a fix that writes a series");
 }
 
 TEST(Collection, RefusesSpheresWithoutFiles)

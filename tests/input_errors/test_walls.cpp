@@ -121,7 +121,8 @@ fix top all servo/platen position top z 0.08 side side type 2
 fix side all servo/cylinder radius 0.05 platens top move type 2
 run 1
 )",
-                 "'platens' must name a fix servo/platen, found 'move', which is a 'fix motion'");
+                 "'platens' must name a fix servo/platen, found 'move', which is a 'fix motion', "
+                 "write the ID of a fix servo/platen");
 }
 
 TEST(Cylinder, RefusesAStressBelowZero)
