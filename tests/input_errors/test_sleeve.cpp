@@ -161,8 +161,9 @@ TEST(Sleeve, TakesOneOfCylinderAndFile)
   expect_no_sleeve(rest, "a sleeve takes one of 'cylinder' and 'file', found neither");
   expect_no_sleeve(mesh + " file tube.stl" + rest,
                    "a sleeve takes one of 'cylinder' and 'file', found both");
-  expect_no_sleeve(" file tube.stl edge 0.01" + rest,
-                   "'edge' goes with 'cylinder', found it with 'file', whose facets are given");
+  expect_no_sleeve(
+      " file tube.stl edge 0.01" + rest,
+      "'edge' goes with 'cylinder', found it with 'file', whose facets are given, leave it out");
 }
 
 TEST(Sleeve, RefusesAFileThatCannotBeRead)
@@ -201,15 +202,25 @@ TEST(Sleeve, RefusesAWallOfAnotherLawThanThePairs)
 {
   expect_no_sleeve(mesh + platens + material,
                    "'model' must be that of the pair style for a wall of sleeves, 'linear "
-                   "tangential history', found 'linear tangential history rolling_friction epsd2'",
+                   "tangential history', found 'linear tangential history rolling_friction epsd2', "
+                   "write 'model linear tangential history'",
                    "fix wall all wall/gran model linear tangential history rolling_friction epsd2 "
                    "mesh n_meshes 1 meshes side\n");
+}
+
+TEST(Sleeve, RefusesAWallThatDoesNotCountItsMeshes)
+{
+  expect_no_sleeve(mesh + platens + material,
+                   "a wall with sleeves is written 'mesh n_meshes N meshes ID ...', found 'mesh "
+                   "meshes side', write for example 'mesh n_meshes 1 meshes side'",
+                   "fix wall all wall/gran model linear tangential history mesh meshes side\n");
 }
 
 TEST(Sleeve, RefusesToChangeItsMaterialLater)
 {
   expect_no_sleeve(mesh + platens + material,
-                   "'thickness' cannot be changed by 'fix_modify', give it on the fix line",
+                   "'thickness' cannot be changed by 'fix_modify', found 'thickness 0.02', give it "
+                   "on the fix line",
                    "fix_modify side thickness 0.02\n");
 }
 
