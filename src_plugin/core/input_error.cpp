@@ -11,4 +11,11 @@ std::string in_words(double x)
   return text.str();
 }
 
+std::string joined(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 }  // namespace encased_column

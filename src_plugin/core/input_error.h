@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace encased_column {
 
@@ -14,5 +15,8 @@ class InputError : public std::runtime_error {
 
 /// `x` as a user would write it: shortest form of six digits, "1e-05" and not "0.000010".
 std::string in_words(double x);
+
+/// `words` as a deck has them, with blanks between.
+std::string joined(const std::vector<std::string>& words);
 
 }  // namespace encased_column

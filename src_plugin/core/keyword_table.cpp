@@ -5,26 +5,49 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace encased_column {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& keyword, const std::string& rule, double value)
+/// The end of a refusal: `value` in the place of the keyword's first one, the others as found.
+std::string write_for_example(const Options& options, const std::string& keyword,
+                              const std::string& value)
 {
-  throw InputError("'" + keyword + "' must be " + rule + ", found " + in_words(value));
+  std::vector<std::string> words = options.all(keyword).front();
+  words.front() = value;
+  return ", write for example '" + keyword + " " + joined(words) + "'";
 }
 
-double require_positive(const std::string& keyword, double value)
+[[noreturn]] void refuse(const Options& options, const std::string& keyword,
+                         const std::string& rule, const std::string& found,
+                         const std::string& example)
 {
-  if (!(value > 0.0)) refuse(keyword, "larger than zero", value);
-  return value;
+  throw InputError("'" + keyword + "' must be " + rule + ", found " + found +
+                   write_for_example(options, keyword, example));
 }
 
-double require_between(const std::string& keyword, double low, double high, double value)
+/// The middle of a range in as few digits as stay inside.
+std::string middle_of(double low, double high)
+{
+  const double middle = 0.5 * low + 0.5 * high;
+  for (int digits = 1;; ++digits) {
+    std::ostringstream text;
+    text.precision(digits);
+    text << middle;
+    const double rounded = read_number("", text.str());
+    if ((rounded >= low && rounded <= high) || digits == std::numeric_limits<double>::max_digits10)
+      return text.str();
+  }
+}
+
+double require_between(const Options& options, const std::string& keyword, double low, double high,
+                       double value)
 {
   if (!(value >= low && value <= high))
-    refuse(keyword, "between " + in_words(low) + " and " + in_words(high), value);
+    refuse(options, keyword, "between " + in_words(low) + " and " + in_words(high), in_words(value),
+           middle_of(low, high));
   return value;
 }
 
@@ -67,7 +90,12 @@ double Options::number(const std::string& keyword, double otherwise) const
 
 double Options::positive(const std::string& keyword) const
 {
-  return require_positive(keyword, number(keyword));
+  const double value = number(keyword);
+  // The likely slip is the sign.
+  if (!(value > 0.0))
+    refuse(*this, keyword, "larger than zero", in_words(value),
+           in_words(value < 0.0 ? -value : 1.0));
+  return value;
 }
 
 double Options::positive(const std::string& keyword, double otherwise) const
@@ -78,28 +106,30 @@ double Options::positive(const std::string& keyword, double otherwise) const
 double Options::not_negative(const std::string& keyword, double otherwise) const
 {
   const double value = number(keyword, otherwise);
-  if (!(value >= 0.0)) refuse(keyword, "zero or larger", value);
+  if (!(value >= 0.0)) refuse(*this, keyword, "zero or larger", in_words(value), in_words(-value));
   return value;
 }
 
 double Options::between(const std::string& keyword, double low, double high) const
 {
-  return require_between(keyword, low, high, number(keyword));
+  return require_between(*this, keyword, low, high, number(keyword));
 }
 
 double Options::between(const std::string& keyword, double low, double high, double otherwise) const
 {
-  return require_between(keyword, low, high, number(keyword, otherwise));
+  return require_between(*this, keyword, low, high, number(keyword, otherwise));
 }
 
 long Options::integer(const std::string& keyword, long low) const
 {
   const long value = read_integer(keyword, word(keyword));
-  if (value < low) refuse(keyword, std::to_string(low) + " or larger", static_cast<double>(value));
+  const std::string found = std::to_string(value);
+  if (value < low)
+    refuse(*this, keyword, std::to_string(low) + " or larger", found, std::to_string(low));
   constexpr long largest =
       std::numeric_limits<int>::max();  // the host counts steps and types in int
   if (value > largest)
-    refuse(keyword, "at most " + std::to_string(largest), static_cast<double>(value));
+    refuse(*this, keyword, "at most " + std::to_string(largest), found, std::to_string(largest));
   return value;
 }
 
@@ -121,7 +151,7 @@ std::string Options::choice(const std::string& keyword,
   const std::string value = word(keyword);
   if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
     throw InputError("'" + keyword + "' must be one of: " + list_of(allowed) + "; found '" + value +
-                     "'");
+                     "'" + write_for_example(*this, keyword, allowed.front()));
   return value;
 }
 

@@ -17,7 +17,7 @@ double read_number(const std::string& keyword, const std::string& word)
   const auto [stopped, failure] = std::from_chars(begin, end, value);
   if (failure != std::errc() || stopped != end || !std::isfinite(value))
     throw InputError("'" + keyword + "' takes a finite number, found '" + word +
-                     "', write for example '" + keyword + " 0.5'");
+                     "', write for example '0.5' in its place");
   return value;
 }
 
@@ -28,7 +28,7 @@ long read_integer(const std::string& keyword, const std::string& word)
   const auto [stopped, failure] = std::from_chars(word.data(), end, value);
   if (failure != std::errc() || stopped != end)
     throw InputError("'" + keyword + "' takes a whole number, found '" + word +
-                     "', write for example '" + keyword + " 200'");
+                     "', write for example '200' in its place");
   return value;
 }
 

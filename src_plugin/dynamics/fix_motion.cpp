@@ -4,6 +4,7 @@
 #include "core/input_error.h"
 #include "host/pair_property.h"
 #include "host/rank_sums.h"
+#include "host/require_grains.h"
 
 #include "memory.h"
 #include "pair_gran.h"
@@ -51,8 +52,7 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  if (!atom->radius_flag || !atom->rmass_flag)
-    error->fix_error(FLERR, this, "atoms have no radius and mass, use 'atom_style granular'");
+  require_grains(lmp, *this);
   time_integrate = 1;
   time_depend = 1;  // contacts remember step numbers
   restart_global = 1;
@@ -188,9 +188,11 @@ int FixMotion::modify_param(int narg, char** arg)
     const Options options = keywords.read(narg, arg, 0);
     damping_ = options.between("damping", 0.0, 0.99, damping_);
     read_free_speed(options);
-    if (options.has("step") || options.has("safety") || options.has("every"))
-      throw InputError("'fix_modify " + std::string(id) +
-                       "' changes 'damping' and 'free_speed' only, make a new fix for the rest");
+    for (const char* fixed : {"step", "safety", "every"})
+      if (options.has(fixed))
+        throw InputError("'fix_modify " + std::string(id) +
+                         "' changes 'damping' and 'free_speed' only, found '" + fixed +
+                         "', make a new fix for the rest");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

@@ -51,20 +51,24 @@ void SolveCommand::command(int narg, char** arg)
     if (least > max)
       throw InputError("'least' must not be larger than 'max', found " + std::to_string(least) +
                        " and " + std::to_string(max) + ", write a larger 'max'");
+    if (domain->box_exist == 0)
+      throw InputError(
+          "'solve' must stand behind the command that makes the box, found no box yet, write "
+          "'create_box' or 'read_restart' before it");
     const auto motions = fixes_that_are<FixMotion>(lmp);
     if (motions.size() != 1)
       throw InputError("'solve' needs one 'fix motion', found " + std::to_string(motions.size()) +
                        ", write 'fix move all motion' before it");
     motion = motions.front();
-    if (every % motion->every() != 0)
+    const long unit = motion->every();
+    if (every % unit != 0)
       throw InputError("'every' must be a multiple of the 'every' of fix " +
                        std::string(motion->id) + ", found " + std::to_string(every) + " and " +
-                       std::to_string(motion->every()));
+                       std::to_string(unit) + ", write for example 'every " +
+                       std::to_string(std::max(every / unit, 1L) * unit) + "'");
   } catch (const InputError& problem) {
     error->all(FLERR, problem.what());
   }
-  if (domain->box_exist == 0)
-    error->all(FLERR, "'solve' stands before the box is made, move it behind create_box");
 
   // As the host's `run`, in pieces of `every` steps with one set-up.
   update->whichflag = 1;

@@ -1,5 +1,7 @@
 #include "host/contact_memory_fix.h"
 
+#include "host/require_grains.h"
+
 #include "memory.h"
 
 #include <algorithm>
@@ -9,8 +11,7 @@ namespace encased_column {
 ContactMemoryFix::ContactMemoryFix(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg)
 {
-  if (!atom->radius_flag || !atom->rmass_flag)
-    error->fix_error(FLERR, this, "atoms have no radius and mass, use 'atom_style granular'");
+  require_grains(lmp, *this);
   time_depend = 1;  // contacts remember step numbers
   restart_peratom = 1;
   create_attribute = 1;

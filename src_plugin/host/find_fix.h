@@ -20,7 +20,8 @@ T* find_fix(LAMMPS_NS::LAMMPS* lmp, const std::string& keyword, const std::strin
   auto* fix = dynamic_cast<T*>(lmp->modify->fix[n]);
   if (!fix)
     throw InputError("'" + keyword + "' must name a " + kind + ", found '" + id +
-                     "', which is a 'fix " + lmp->modify->fix[n]->style + "'");
+                     "', which is a 'fix " + lmp->modify->fix[n]->style + "', write the ID of a " +
+                     kind);
   return fix;
 }
 

@@ -121,7 +121,7 @@ int FixSpecimenHistory::modify_param(int narg, char** arg)
     const Options options = keywords.read(narg, arg, 0);
     if (!options.has("reference") || narg != 1)
       throw InputError("'fix_modify " + std::string(id) + "' takes 'reference' only, found '" +
-                       std::string(arg[0]) + "'");
+                       joined({arg, arg + narg}) + "', write 'fix_modify " + id + " reference'");
     reference_wanted_ = true;
     file_.start_anew();
   } catch (const InputError& problem) {

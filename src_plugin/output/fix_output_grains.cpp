@@ -38,7 +38,8 @@ FixOutputGrains::FixOutputGrains(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   try {
     read_keywords(narg, arg);
     if (!atom->radius_flag)
-      throw InputError("'output/grains' needs grains with a radius, write 'atom_style granular'");
+      throw InputError("'output/grains' needs grains with a radius, found 'atom_style " +
+                       std::string(atom->atom_style) + "', write 'atom_style granular'");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -107,6 +108,11 @@ int FixOutputGrains::modify_param(int narg, char** arg)
     write();
     return 2;
   }
+  error->fix_error(
+      FLERR, this,
+      ("'fix_modify " + std::string(id) + "' takes 'reset' or 'write now', found '" +
+       joined({arg, arg + narg}) + "', write for example 'fix_modify " + id + " write now'")
+          .c_str());
   return 0;
 }
 

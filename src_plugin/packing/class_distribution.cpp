@@ -13,7 +13,7 @@ ClassDistribution class_distribution(const std::string& word)
   if (word == "uniform") return ClassDistribution::uniform;
   if (word == "uniform_number") return ClassDistribution::uniform_number;
   throw InputError("'distribution' must be one of: log_uniform, uniform, uniform_number; found '" +
-                   word + "'");
+                   word + "', write for example 'distribution log_uniform'");
 }
 
 double number_exponent(ClassDistribution distribution)

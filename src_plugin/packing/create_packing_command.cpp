@@ -67,10 +67,15 @@ void CreatePackingCommand::command(int narg, char** arg)
 
 void CreatePackingCommand::check_host(const Cylinder& cylinder, long type) const
 {
-  if (!domain->box_exist) throw InputError("there is no box yet, write 'create_box' before it");
+  if (!domain->box_exist)
+    throw InputError("there must be a box, found none yet, write 'create_box' before it");
   if (!atom->radius_flag || !atom->rmass_flag || !atom->density_flag)
-    throw InputError("atoms have no radius and density, write 'atom_style granular'");
-  if (domain->triclinic) throw InputError("the box must not be tilted, write an upright box");
+    throw InputError("atoms must have a radius and a density, found 'atom_style " +
+                     std::string(atom->atom_style) + "', write 'atom_style granular'");
+  if (domain->triclinic)
+    throw InputError("the box must not be tilted, found xy = " + in_words(domain->xy) +
+                     ", xz = " + in_words(domain->xz) + " and yz = " + in_words(domain->yz) +
+                     ", write a region of style block for 'create_box'");
   if (atom->natoms > 0)
     throw InputError("the box must be empty, found " + std::to_string(atom->natoms) +
                      " grains, create the packing first");

@@ -16,7 +16,7 @@ void check_gradation(const Gradation& gradation)
 {
   if (gradation.empty())
     throw InputError(
-        "a gradation needs at least one class, write 'diameter_low,diameter_high,"
+        "a gradation needs at least one class, found none, write 'diameter_low,diameter_high,"
         "mass_percent' per line");
   double sum = 0.0;
   double below = 0.0;

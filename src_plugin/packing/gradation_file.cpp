@@ -54,7 +54,7 @@ Gradation read_gradation(std::istream& in, const std::string& file)
     if (!has_header) {
       if (line != header)
         throw InputError("'gradation' " + place + " must start with the line '" + header +
-                         "', found '" + line + "'");
+                         "', found '" + line + "', write it above the classes");
       has_header = true;
       continue;
     }

@@ -13,7 +13,8 @@ namespace {
 void require_positive(const std::string& keyword, double value)
 {
   if (!(value > 0.0))
-    throw InputError("'" + keyword + "' must be larger than zero, found " + in_words(value));
+    throw InputError("'" + keyword + "' must be larger than zero, found " + in_words(value) +
+                     ", write a length in m");
 }
 
 void require_edge_within(double edge, double longest, const std::string& of_what)
@@ -48,7 +49,7 @@ WallMesh cylinder_mesh(const CylinderWall& wall)
   require_positive("radius", wall.radius);
   if (!(wall.z_high > wall.z_low))
     throw InputError("'z_high' must be larger than 'z_low', " + in_words(wall.z_low) + ", found " +
-                     in_words(wall.z_high));
+                     in_words(wall.z_high) + ", write a larger one");
   const double height = wall.z_high - wall.z_low;
   require_edge_within(wall.edge, wall.radius, "radius");
   require_edge_within(wall.edge, height, "height");

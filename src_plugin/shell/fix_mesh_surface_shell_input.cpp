@@ -54,7 +54,8 @@ void FixMeshSurfaceShell::read_mesh(const Options& options)
                      std::string(options.has("file") ? "both" : "neither") +
                      ", write for example 'cylinder 0.05 0 0.2 edge 0.005'");
   if (options.has("file") && options.has("edge"))
-    throw InputError("'edge' goes with 'cylinder', found it with 'file', whose facets are given");
+    throw InputError(
+        "'edge' goes with 'cylinder', found it with 'file', whose facets are given, leave it out");
   SurfaceMesh mesh;
   if (options.has("file")) {
     mesh = read_mesh_file(options.word("file"));
@@ -141,9 +142,9 @@ int FixMeshSurfaceShell::modify_param(int narg, char** arg)
                               "thickness", "bending_thickness", "density", "modulus_axial",
                               "shear_modulus", "tension_only", "mass_scaling", "safety", "every"})
       if (options.has(fixed))
-        throw InputError("'" + std::string(fixed) +
-                         "' cannot be changed by 'fix_modify', give it on "
-                         "the fix line");
+        throw InputError("'" + std::string(fixed) + "' cannot be changed by 'fix_modify', found '" +
+                         std::string(fixed) + " " + joined(options.all(fixed).front()) +
+                         "', give it on the fix line");
     read_changeable(options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());

@@ -11,13 +11,6 @@ namespace encased_column {
 
 namespace {
 
-std::string joined(const std::vector<std::string>& words)
-{
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 bool is_sleeve(LAMMPS_NS::LAMMPS* lmp, const std::string& id)
 {
   const int n = lmp->modify->find_fix(id.c_str());
@@ -32,7 +25,7 @@ void check_model(LAMMPS_NS::LAMMPS* lmp, const std::string& model)
       std::string("linear tangential history") + (rolling ? " rolling_friction epsd2" : "");
   if (model != pairs)
     lmp->error->all(FLERR, ("'model' must be that of the pair style for a wall of sleeves, '" +
-                            pairs + "', found '" + model + "'")
+                            pairs + "', found '" + model + "', write 'model " + pairs + "'")
                                .c_str());
 }
 
@@ -50,7 +43,8 @@ LAMMPS_NS::Fix* make_wall(FixCreator host, LAMMPS_NS::LAMMPS* lmp, int narg, cha
   if (meshes - mesh != 3 || *(mesh + 1) != "n_meshes")
     lmp->error->all(FLERR,
                     ("a wall with sleeves is written 'mesh n_meshes N meshes ID ...', found '" +
-                     joined({mesh, words.end()}) + "'")
+                     joined({mesh, words.end()}) + "', write for example 'mesh n_meshes 1 meshes " +
+                     *first_sleeve + "'")
                         .c_str());
   check_model(lmp, joined({model + 1, mesh}));
 

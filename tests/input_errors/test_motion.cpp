@@ -48,22 +48,24 @@ run   1
 
 TEST(Motion, RefusesDampingOutOfRange)
 {
-  expect_refused("two_grains", R"(
+  expect_refused(
+      "two_grains", R"(
 unfix move
 fix   move all motion damping 1.5
 run   1
 )",
-                 "'damping' must be between 0 and 0.99, found 1.5");
+      "'damping' must be between 0 and 0.99, found 1.5, write for example 'damping 0.5'");
 }
 
 TEST(Motion, RefusesHalfANumber)
 {
-  expect_refused("two_grains", R"(
+  expect_refused(
+      "two_grains", R"(
 unfix move
 fix   move all motion safety 0.1.7
 run   1
 )",
-                 "'safety' takes a finite number, found '0.1.7', write for example 'safety 0.5'");
+      "'safety' takes a finite number, found '0.1.7', write for example '0.5' in its place");
 }
 
 TEST(Motion, RefusesAStepBelowZero)
@@ -89,6 +91,34 @@ run   1
                  "stable' or no dashpots");
 }
 
+TEST(Motion, RefusesGrainsWithoutARadius)
+{
+  const Outcome outcome = run_deck(R"(
+units      si
+atom_style atomic
+region     box block 0 1 0 1 0 1 units box
+create_box 1 box
+fix        move all motion
+)");
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_TRUE(
+      outcome.says("'motion' needs grains with a radius and a mass, found 'atom_style atomic', "
+                   "write 'atom_style granular'"))
+      << outcome.output;
+}
+
+TEST(Motion, RefusesToChangeItsStepLater)
+{
+  expect_refused("two_grains", R"(
+unfix move
+fix   move all motion
+fix_modify move damping 0.5 step 1e-6
+run   1
+)",
+                 "'fix_modify move' changes 'damping' and 'free_speed' only, found 'step', make a "
+                 "new fix for the rest");
+}
+
 TEST(Motion, RefusesADeckWithoutContactModulus)
 {
   expect_refused("two_grains", R"(
@@ -106,6 +136,16 @@ TEST(Solve, RefusesADeckWithoutMotion)
                  "'solve' needs one 'fix motion', found 0, write 'fix move all motion' before it");
 }
 
+TEST(Solve, RefusesToStandBeforeTheBox)
+{
+  const Outcome outcome = run_deck("units si\nsolve ratio average 1e-5\n");
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_TRUE(
+      outcome.says("'solve' must stand behind the command that makes the box, found no box "
+                   "yet, write 'create_box' or 'read_restart' before it"))
+      << outcome.output;
+}
+
 TEST(Solve, RefusesAnIntervalThatIsNotAMultipleOfTheMotions)
 {
   expect_refused("two_grains", R"(
@@ -113,7 +153,8 @@ unfix move
 fix   move all motion every 50
 solve ratio average 1e-5 every 120
 )",
-                 "'every' must be a multiple of the 'every' of fix move, found 120 and 50");
+                 "'every' must be a multiple of the 'every' of fix move, found 120 and 50, write "
+                 "for example 'every 100'");
 }
 
 TEST(Solve, RefusesALimitOfZero)
@@ -133,5 +174,6 @@ unfix move
 fix   move all motion
 solve ratio mean 1e-5
 )",
-                 "'ratio' must be one of: average, maximum; found 'mean'");
+                 "'ratio' must be one of: average, maximum; found 'mean', write for example 'ratio "
+                 "average 1e-5'");
 }

@@ -48,6 +48,15 @@ TEST(History, RefusesAMissingPlaten)
                  "define it before");
 }
 
+TEST(History, RefusesToBeChangedButForItsReference)
+{
+  expect_refused("grain_stack",
+                 specimen("platens top bottom side side motion move\n"
+                          "fix_modify history every 100"),
+                 "'fix_modify history' takes 'reference' only, found 'every 100', write "
+                 "'fix_modify history reference'");
+}
+
 TEST(History, RefusesADeckThatDoesNotNameItsMotion)
 {
   expect_refused("grain_stack", specimen("platens top bottom side side"),
@@ -70,9 +79,21 @@ TEST(Pictures, RefuseToBeTakenWithoutAnInterval)
 
 TEST(Pictures, RefuseARangeOfStrainBelowZero)
 {
-  expect_refused("two_grains",
-                 "fix pictures all output/grains every 100 folder grains strain_range -1\nrun 1\n",
-                 "'strain_range' must be zero or larger, found -1");
+  expect_refused(
+      "two_grains",
+      "fix pictures all output/grains every 100 folder grains strain_range -1\nrun 1\n",
+      "'strain_range' must be zero or larger, found -1, write for example 'strain_range 1'");
+}
+
+TEST(Pictures, TakeTwoOrdersOnly)
+{
+  for (const std::string order : {"write", "write later", "begin now"})
+    expect_refused("two_grains",
+                   "fix pictures all output/grains every 100 folder grains\n"
+                   "fix_modify pictures " +
+                       order + "\nrun 1\n",
+                   "'fix_modify pictures' takes 'reset' or 'write now', found '" + order +
+                       "', write for example 'fix_modify pictures write now'");
 }
 
 TEST(Chains, RefuseAFolderThatCannotBeWritten)
@@ -96,7 +117,7 @@ TEST(Chains, RefuseAThresholdThatIsNoNumber)
 {
   expect_refused(
       "two_grains", "fix chains all output/contacts every 100 folder chains threshold 5N\nrun 1\n",
-      "'threshold' takes a finite number, found '5N', write for example 'threshold 0.5'");
+      "'threshold' takes a finite number, found '5N', write for example '0.5' in its place");
 }
 
 TEST(Chains, RefuseALevelOfZero)
@@ -128,7 +149,7 @@ TEST(Collection, RefusesAPartOfAnotherKind)
 {
   expect_refused("two_grains", "fix together all output/collection part move\nrun 1\n",
                  "'part' must name a fix that writes a series, found 'move', which is a 'fix "
-                 "nve/sphere'");
+                 "nve/sphere', write the ID of a fix that writes a series");
 }
 
 TEST(Collection, RefusesSpheresWithoutFiles)

@@ -39,6 +39,38 @@ TEST(Packing, RefusesAPorosityInPercent)
                  "'porosity' must be between 0.1 and 0.7, found 40");
 }
 
+TEST(Packing, RefusesADistributionItDoesNotKnow)
+{
+  expect_refused("empty_cylinder", packing(one_class, "porosity 0.4 distribution normal"),
+                 "'distribution' must be one of: log_uniform, uniform, uniform_number; found "
+                 "'normal', write for example 'distribution log_uniform'");
+}
+
+TEST(Packing, RefusesATiltedBox)
+{
+  const Outcome outcome = run_deck(R"(
+units      si
+atom_style granular
+region     box prism -0.06 0.06 -0.06 0.06 -0.01 0.21 0.01 0 0 units box
+create_box 1 box
+)" + packing(one_class));
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_TRUE(
+      outcome.says("create_packing: the box must not be tilted, found xy = 0.01, xz = 0 and "
+                   "yz = 0, write a region of style block for 'create_box'"))
+      << outcome.output;
+}
+
+TEST(Packing, RefusesToStandBeforeTheBox)
+{
+  const Outcome outcome = run_deck("units si\natom_style granular\n" + packing(one_class));
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_TRUE(
+      outcome.says("create_packing: there must be a box, found none yet, write 'create_box' "
+                   "before it"))
+      << outcome.output;
+}
+
 TEST(Packing, RefusesWhatFindsNoRoom)
 {
   expect_refused("empty_cylinder", packing(one_class, "porosity 0.2 start_factor 1"),
@@ -64,11 +96,11 @@ TEST(Packing, RefusesAReportThatCannotBeWritten)
 TEST(Growth, RefusesAStartBeyondTheFullRadius)
 {
   expect_refused("one_grain", "fix grow all grow/radius from 1.5\nrun 1\n",
-                 "'from' must be between 0.01 and 1, found 1.5");
+                 "'from' must be between 0.01 and 1, found 1.5, write for example 'from 0.5'");
 }
 
 TEST(Growth, RefusesNoStages)
 {
   expect_refused("one_grain", "fix grow all grow/radius from 0.5 stages 0\nrun 1\n",
-                 "'stages' must be 1 or larger, found 0");
+                 "'stages' must be 1 or larger, found 0, write for example 'stages 1'");
 }

@@ -103,18 +103,22 @@ TEST(RunCommand, RefusesAVariableTheDeckDoesNotHave)
 
 TEST(RunCommand, RefusesASettingThatIsNotNameAndValue)
 {
-  expect_refused({"--set", "sigma3"}, "--set takes NAME=VALUE without blanks, found 'sigma3'");
+  expect_refused({"--set", "sigma3"},
+                 "--set takes NAME=VALUE without blanks, found 'sigma3', write for example '--set "
+                 "sigma3=50e3'");
 }
 
 TEST(RunCommand, RefusesRanksThatAreNotAWholeNumber)
 {
-  expect_refused({"--ranks", "1.5"}, "--ranks takes a whole number from 1, found '1.5'");
+  expect_refused({"--ranks", "1.5"},
+                 "--ranks takes a whole number from 1, found '1.5', write for example '--ranks 2'");
 }
 
 TEST(RunCommand, RefusesANameThatLeavesTheRunFolder)
 {
   expect_refused({"--name", "../elsewhere"},
-                 "--name takes letters, digits, '_', '-' and '.', found '../elsewhere'");
+                 "--name takes letters, digits, '_', '-' and '.', found '../elsewhere', write for "
+                 "example '--name trial_2'");
 }
 
 TEST(RunCommand, RefusesToGoOnWithOtherVariables)

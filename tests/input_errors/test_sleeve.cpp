@@ -95,8 +95,12 @@ TEST(Sleeve, RefusesAMeshThatLies)
 TEST(Sleeve, RefusesAThicknessThatIsNone)
 {
   const std::string rest = mesh + platens + " modulus 11.5e6 poisson 0.3 density 30";
-  expect_no_sleeve(rest + " thickness 0", "'thickness' must be larger than zero, found 0");
-  expect_no_sleeve(rest + " thickness -0.01", "'thickness' must be larger than zero, found -0.01");
+  expect_no_sleeve(
+      rest + " thickness 0",
+      "'thickness' must be larger than zero, found 0, write for example 'thickness 1'");
+  expect_no_sleeve(
+      rest + " thickness -0.01",
+      "'thickness' must be larger than zero, found -0.01, write for example 'thickness 0.01'");
 }
 
 TEST(Sleeve, RefusesAPoissonsRatioOutOfItsRange)
@@ -111,7 +115,8 @@ TEST(Sleeve, RefusesAPoissonsRatioOutOfItsRange)
 TEST(Sleeve, RefusesAnEndOfUnknownKind)
 {
   expect_no_sleeve(mesh + platens + material + " top_end glued",
-                   "'top_end' must be one of: held, clamped, radial, platen, free; found 'glued'");
+                   "'top_end' must be one of: held, clamped, radial, platen, free; found 'glued', "
+                   "write for example 'top_end held'");
 }
 
 TEST(Sleeve, RefusesAPlatenThatIsNotThere)
@@ -131,7 +136,7 @@ TEST(Sleeve, RefusesThePlatensTheWrongWayRound)
 TEST(Sleeve, RefusesAPressureThatRampsOverNoSteps)
 {
   expect_no_sleeve(mesh + platens + material + " pressure 50e3 ramp 0",
-                   "'ramp' must be 1 or larger, found 0");
+                   "'ramp' must be 1 or larger, found 0, write for example 'ramp 1'");
   expect_no_sleeve(mesh + platens + material + " ramp 100",
                    "'ramp' goes with 'pressure', found it alone, write 'pressure 50e3 ramp 1000'");
 }
@@ -156,8 +161,9 @@ TEST(Sleeve, TakesOneOfCylinderAndFile)
   expect_no_sleeve(rest, "a sleeve takes one of 'cylinder' and 'file', found neither");
   expect_no_sleeve(mesh + " file tube.stl" + rest,
                    "a sleeve takes one of 'cylinder' and 'file', found both");
-  expect_no_sleeve(" file tube.stl edge 0.01" + rest,
-                   "'edge' goes with 'cylinder', found it with 'file', whose facets are given");
+  expect_no_sleeve(
+      " file tube.stl edge 0.01" + rest,
+      "'edge' goes with 'cylinder', found it with 'file', whose facets are given, leave it out");
 }
 
 TEST(Sleeve, RefusesAFileThatCannotBeRead)
@@ -196,15 +202,25 @@ TEST(Sleeve, RefusesAWallOfAnotherLawThanThePairs)
 {
   expect_no_sleeve(mesh + platens + material,
                    "'model' must be that of the pair style for a wall of sleeves, 'linear "
-                   "tangential history', found 'linear tangential history rolling_friction epsd2'",
+                   "tangential history', found 'linear tangential history rolling_friction epsd2', "
+                   "write 'model linear tangential history'",
                    "fix wall all wall/gran model linear tangential history rolling_friction epsd2 "
                    "mesh n_meshes 1 meshes side\n");
+}
+
+TEST(Sleeve, RefusesAWallThatDoesNotCountItsMeshes)
+{
+  expect_no_sleeve(mesh + platens + material,
+                   "a wall with sleeves is written 'mesh n_meshes N meshes ID ...', found 'mesh "
+                   "meshes side', write for example 'mesh n_meshes 1 meshes side'",
+                   "fix wall all wall/gran model linear tangential history mesh meshes side\n");
 }
 
 TEST(Sleeve, RefusesToChangeItsMaterialLater)
 {
   expect_no_sleeve(mesh + platens + material,
-                   "'thickness' cannot be changed by 'fix_modify', give it on the fix line",
+                   "'thickness' cannot be changed by 'fix_modify', found 'thickness 0.02', give it "
+                   "on the fix line",
                    "fix_modify side thickness 0.02\n");
 }
 

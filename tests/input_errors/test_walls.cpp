@@ -78,7 +78,7 @@ TEST(Platen, RefusesAPatienceOfNoStep)
 fix top all servo/platen position top z 0.08 area 0.0016 type 2 servo 50e3 patience 0
 run 1
 )",
-                 "'patience' must be 1 or larger, found 0");
+                 "'patience' must be 1 or larger, found 0, write for example 'patience 1'");
 }
 
 TEST(Platen, StopsTheRunWhenItsStressIsOutOfReach)
@@ -121,7 +121,8 @@ fix top all servo/platen position top z 0.08 side side type 2
 fix side all servo/cylinder radius 0.05 platens top move type 2
 run 1
 )",
-                 "'platens' must name a fix servo/platen, found 'move', which is a 'fix motion'");
+                 "'platens' must name a fix servo/platen, found 'move', which is a 'fix motion', "
+                 "write the ID of a fix servo/platen");
 }
 
 TEST(Cylinder, RefusesAStressBelowZero)
@@ -130,7 +131,7 @@ TEST(Cylinder, RefusesAStressBelowZero)
 fix side all servo/cylinder radius 0.05 platens top bottom type 2 servo -50e3
 run 1
 )",
-                 "'servo' must be zero or larger, found -50000");
+                 "'servo' must be zero or larger, found -50000, write for example 'servo 50000'");
 }
 
 TEST(Cylinder, RefusesARadiusOfZero)
@@ -139,7 +140,7 @@ TEST(Cylinder, RefusesARadiusOfZero)
 fix side all servo/cylinder radius 0 platens top bottom type 2
 run 1
 )",
-                 "'radius' must be larger than zero, found 0");
+                 "'radius' must be larger than zero, found 0, write for example 'radius 1'");
 }
 
 // The platen is taken away after the cylinder felt grains: a ramp has no stress to start from.

@@ -14,6 +14,7 @@ const KeywordTable table{
     {"center", 3, "m", "center of the sphere"}, {"radius", 1, "m", "its radius"},
     {"every", 1, "steps", "how often"},         {"mode", 1, "-", "slow or fast"},
     {"class", 2, "-", "a size class", true},    {"hold", 0, "-", "stands still"},
+    {"ratio", 2, "-", "which, and its limit"},
 };
 
 void expect_refused(const std::function<void()>& act, const std::string& sentence)
@@ -61,7 +62,7 @@ TEST(KeywordTable, RefusesAKeywordItDoesNotKnow)
 {
   expect_words_refused({"raduis", "0.1"},
                        "unknown keyword 'raduis', expected one of: center, radius, every, mode, "
-                       "class, hold");
+                       "class, hold, ratio");
 }
 
 TEST(KeywordTable, RefusesAMissingValue)
@@ -99,17 +100,71 @@ TEST(Options, RefuseNumbersOutOfRange)
 {
   const Options options =
       table.read(std::vector<std::string>{"radius", "0", "every", "-1", "mode", "quick"});
-  expect_refused([&] { options.positive("radius"); }, "'radius' must be larger than zero, found 0");
+  expect_refused([&] { options.positive("radius"); },
+                 "'radius' must be larger than zero, found 0, write for example 'radius 1'");
   expect_refused([&] { options.between("every", 0.0, 0.9); },
-                 "'every' must be between 0 and 0.9, found -1");
+                 "'every' must be between 0 and 0.9, found -1, write for example 'every 0.5'");
   expect_refused([&] { options.not_negative("every", 0.0); },
-                 "'every' must be zero or larger, found -1");
-  expect_refused([&] { options.integer("every", 1); }, "'every' must be 1 or larger, found -1");
+                 "'every' must be zero or larger, found -1, write for example 'every 1'");
+  expect_refused([&] { options.integer("every", 1); },
+                 "'every' must be 1 or larger, found -1, write for example 'every 1'");
   expect_refused(
       [&] {
         options.choice("mode", {"slow", "fast"});
       },
-      "'mode' must be one of: slow, fast; found 'quick'");
+      "'mode' must be one of: slow, fast; found 'quick', write for example 'mode slow'");
+}
+
+TEST(Options, NameAWholeNumberTooLargeInAllItsDigits)
+{
+  const Options options = table.read(std::vector<std::string>{"every", "2147483648"});
+  expect_refused([&] { options.integer("every", 1); },
+                 "'every' must be at most 2147483647, found 2147483648, write for example 'every "
+                 "2147483647'");
+}
+
+TEST(Options, KeepTheOtherValuesOfAKeywordInWhatToWrite)
+{
+  const Options options = table.read(std::vector<std::string>{"ratio", "mean", "1e-5"});
+  expect_refused(
+      [&] {
+        options.choice("ratio", {"average", "maximum"});
+      },
+      "'ratio' must be one of: average, maximum; found 'mean', write for example 'ratio average "
+      "1e-5'");
+}
+
+// Whoever writes what a refusal says is not refused again.
+TEST(Options, TakeWhatTheirRefusalsSayToWrite)
+{
+  const std::vector<std::function<void(const Options&)>> rules{
+      [](const Options& o) { o.positive("radius"); },
+      [](const Options& o) { o.not_negative("radius", 0.0); },
+      [](const Options& o) { o.between("radius", 0.01, 1.9); },
+      [](const Options& o) { o.between("radius", 97.0, 98.0); },
+      [](const Options& o) { o.between("radius", -3.0, -2.9999999); },
+      [](const Options& o) { o.between("radius", 7.0, 7.0); },
+      [](const Options& o) { o.integer("radius", -12); },
+      [](const Options& o) { o.integer("radius", 3); },
+      [](const Options& o) {
+        o.choice("radius", {"small", "large"});
+      },
+  };
+  int refusals = 0;
+  for (const char* word : {"0", "-0.3", "-1e300", "-5e-324", "2", "-13", "3000000000"})
+    for (const auto& rule : rules) try {
+        rule(table.read(std::vector<std::string>{"radius", word}));
+      } catch (const InputError& problem) {
+        const std::string sentence = problem.what(), lead = "write for example 'radius ";
+        if (sentence.find("takes a whole number") != std::string::npos) continue;
+        ASSERT_NE(sentence.find(lead), std::string::npos) << sentence;
+        const std::string advice = sentence.substr(sentence.find(lead) + lead.size());
+        ASSERT_EQ(advice.back(), '\'');
+        const std::vector<std::string> better{"radius", advice.substr(0, advice.size() - 1)};
+        EXPECT_NO_THROW(rule(table.read(better))) << sentence;
+        ++refusals;
+      }
+  EXPECT_GT(refusals, 30);
 }
 
 TEST(Options, TakeTheLimitsOfARangeThemselves)

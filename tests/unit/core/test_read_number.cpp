@@ -27,8 +27,9 @@ TEST(ReadNumber, SaysWhichKeywordAndWhatItFound)
     read_number("radius", "5mm");
     FAIL() << "not refused";
   } catch (const InputError& problem) {
-    EXPECT_STREQ(problem.what(),
-                 "'radius' takes a finite number, found '5mm', write for example 'radius 0.5'");
+    EXPECT_STREQ(
+        problem.what(),
+        "'radius' takes a finite number, found '5mm', write for example '0.5' in its place");
   }
 }
 

@@ -231,7 +231,7 @@ TEST(CheckGradation, AcceptsPercentsThatMissAHundredByRounding)
 
 TEST(CheckGradation, RefusesWhatIsNoGradationAndNamesTheValue)
 {
-  expect_refusal({}, "at least one class");
+  expect_refusal({}, "at least one class, found none, write");
   expect_refusal({{0.001, 0.002, 50.0}, {0.002, 0.003, 49.98}}, "sum to 100, found 99.98");
   expect_refusal({{0.002, 0.001, 100.0}}, "0.002 to 0.001 m is reversed");
   expect_refusal({{0.001, 0.003, 50.0}, {0.002, 0.004, 50.0}}, "before, 0.003 m");
@@ -264,7 +264,8 @@ TEST(ReadGradation, SkipsCommentsAndEmptyLines)
 TEST(ReadGradation, NamesTheFileAndTheLineOfAMistake)
 {
   const auto of = [](const std::string& text) { return refusal([&] { read(text); }); };
-  EXPECT_NE(of("0.001,0.002,100").find("soil.csv:1 must start with the line"), std::string::npos);
+  EXPECT_NE(of("0.001,0.002,100").find("found '0.001,0.002,100', write it above the classes"),
+            std::string::npos);
   EXPECT_NE(of(header + "0.001,0.002").find("soil.csv:2 must have 3 values, found 2"),
             std::string::npos);
   EXPECT_NE(of(header + "0.001,2mm,100").find("found '2mm'"), std::string::npos);

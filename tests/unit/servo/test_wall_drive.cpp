@@ -131,7 +131,10 @@ TEST(WallDrive, RefusesWhatContradictsItself)
 
 TEST(WallDrive, RefusesNumbersOutOfRange)
 {
-  expect_refused({"servo", "-1"}, "'servo' must be zero or larger, found -1");
-  expect_refused({"servo", "1", "gain", "0.9"}, "'gain' must be between 0.001 and 0.8, found 0.9");
-  expect_refused({"servo", "1", "ramp", "0"}, "'ramp' must be 1 or larger, found 0");
+  expect_refused({"servo", "-1"},
+                 "'servo' must be zero or larger, found -1, write for example 'servo 1'");
+  expect_refused({"servo", "1", "gain", "0.9"},
+                 "'gain' must be between 0.001 and 0.8, found 0.9, write for example 'gain 0.4'");
+  expect_refused({"servo", "1", "ramp", "0"},
+                 "'ramp' must be 1 or larger, found 0, write for example 'ramp 1'");
 }

@@ -118,10 +118,14 @@ TEST(CylinderMesh, HasEdgesWithinAFifthOfTheWantedLength)
 
 TEST(CylinderMesh, RefusesWhatCannotBeMeshed)
 {
-  expect_refusal({0.0, 0.0, 0.2, 0.01}, "'radius' must be larger than zero, found 0");
-  expect_refusal({-0.05, 0.0, 0.2, 0.01}, "'radius' must be larger than zero, found -0.05");
-  expect_refusal({0.05, 0.2, 0.2, 0.01}, "'z_high' must be larger than 'z_low', 0.2, found 0.2");
-  expect_refusal({0.05, 0.0, 0.2, 0.0}, "'edge' must be larger than zero, found 0");
+  expect_refusal({0.0, 0.0, 0.2, 0.01},
+                 "'radius' must be larger than zero, found 0, write a length in m");
+  expect_refusal({-0.05, 0.0, 0.2, 0.01},
+                 "'radius' must be larger than zero, found -0.05, write a length in m");
+  expect_refusal({0.05, 0.2, 0.2, 0.01},
+                 "'z_high' must be larger than 'z_low', 0.2, found 0.2, write a larger one");
+  expect_refusal({0.05, 0.0, 0.2, 0.0},
+                 "'edge' must be larger than zero, found 0, write a length in m");
   expect_refusal({0.05, 0.0, 0.2, 0.06}, "'edge' must not be longer than the radius, 0.05");
   expect_refusal({0.05, 0.0, 0.02, 0.03}, "'edge' must not be longer than the height, 0.02");
   expect_refusal({0.05, 0.0, 0.2, 1e-6}, "at least a thousandth of the radius");
