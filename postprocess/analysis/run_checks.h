@@ -17,6 +17,7 @@ struct ShearRecord {
   std::vector<double> confining_stress;    ///< [Pa]
   std::vector<double> stress_top;          ///< [Pa]
   std::vector<double> stress_bottom;       ///< [Pa]
+  std::vector<double> weight_stress;       ///< of the grains [Pa]; empty where it is not known
   std::vector<double> unbalanced_average;  ///< mean unbalanced over mean contact force [-]
   std::vector<double> inertial_number;     ///< [-]
   std::vector<double> energy_error;        ///< share of the work put in that is not found again [-]
@@ -32,7 +33,8 @@ struct Check {
 };
 
 /// Largest share [-] by which the two platens' stresses differ, averaged over windows of
-/// `check_averaging_width`, relative to the mean of both.
+/// `check_averaging_width`, relative to the mean of both. The upper one's stress counts with the
+/// weight of the grains on it; where that is not known, alone.
 double platen_difference(const ShearRecord& record);
 
 /// The same at each sample, not averaged, signed: positive where the top carries more.
