@@ -26,10 +26,12 @@ struct ShearRecord {
 /// One check: what was found, what is allowed, and whether it is a requirement of this test.
 struct Check {
   std::string name;
-  double found;    ///< [-]
-  double allowed;  ///< [-]
-  bool required;   ///< false: told for information
-  bool passed() const { return found <= allowed; }
+  double found;      ///< [-]
+  double allowed;    ///< [-]
+  bool required;     ///< false: told for information
+  bool made = true;  ///< false: something it takes is missing; the name says what
+  bool passed() const { return made && found <= allowed; }
+  bool missed() const { return made && found > allowed; }
 };
 
 /// Largest share [-] by which the two platens' stresses differ, averaged over windows of

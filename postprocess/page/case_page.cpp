@@ -62,9 +62,8 @@ PageData facts(const TestResult& test, const Targets& targets, const RunRecord& 
                "overlaps counted once");
   if (test.grains) list << fact("Grains", std::to_string(*test.grains), "");
   const CheckCount count = count_checks({{run.set(), {test}, {}}});
-  list << fact(
-      "Checks passed",
-      std::to_string(count.required - count.failed) + " of " + std::to_string(count.required), "");
+  list << fact("Checks passed",
+               std::to_string(count.passed()) + " of " + std::to_string(count.required), "");
   list << fact("Warnings", std::to_string(record.warnings.size()), "");
   return list;
 }

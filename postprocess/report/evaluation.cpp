@@ -5,6 +5,7 @@
 #include "reading/column_files.h"
 #include "reading/grain_file.h"
 #include "reading/sleeve_files.h"
+#include "report/outside_check.h"
 
 namespace encased_column {
 
@@ -76,7 +77,9 @@ TestResult evaluate_run(const CaseRun& run, Platen platen, const std::optional<S
       confining.mean(result.peak.axial_strain - half_width, result.peak.axial_strain + half_width),
       result.peak.reported);
   result.checks = run_checks(result.record, !run.encased());
-  if (const auto grains = last_grain_file(run.folder)) result.grains = grains->grains;
+  const std::optional<GrainFile> grains = last_grain_file(run.folder);
+  if (grains) result.grains = grains->grains;
+  result.checks.push_back(outside_check(run, grains));
   result.spheres = read_spheres(run);
   result.contacts = read_contacts(run);
   if (!run.encased()) return result;
