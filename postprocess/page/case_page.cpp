@@ -148,7 +148,6 @@ std::string case_page(const TestResult& test, const Targets& targets,
   PageData page;
   page.set("title", run.title);
   std::string subtitle = "Case " + run.id + ", deck " + run.deck;
-  if (!run.resolution.empty()) subtitle += ", resolution " + run.resolution;
   if (!run.reproduces.empty()) subtitle += "; reproduces " + run.reproduces + " of the study";
   page.set("subtitle", subtitle + ".");
   page.set("encased", run.encased() ? PageData::type::bool_true : PageData::type::bool_false);
