@@ -31,6 +31,7 @@ struct Settings {
   std::optional<Platen> platen;
   bool no_pictures = false;
   bool draft = false;
+  bool strict = false;
   bool pictures_only = false;  ///< set when started again under a virtual display
 };
 
@@ -104,7 +105,10 @@ void write_reports(const Settings& settings, const std::vector<SetResult>& sets,
   std::cout << "Report:   " << report.string() << ", and one in the folder of each case\n";
 }
 
-void run(const Settings& settings, std::vector<std::string> arguments)
+constexpr int check_missed = 3;  // exit code
+
+/// The exit code.
+int run(const Settings& settings, std::vector<std::string> arguments)
 {
   const CaseRuns found = read_case_runs(settings.folders);
   const Targets targets(settings.targets);
@@ -113,11 +117,15 @@ void run(const Settings& settings, std::vector<std::string> arguments)
     for (const std::string& sentence : found.left_out) std::cerr << "note: " << sentence << '\n';
     write_tables(settings, sets, targets);
   }
-  if (settings.no_pictures) return;
+  const CheckCount count = count_checks(sets);
+  const int code = settings.strict && count.failed > 0 ? check_missed : 0;
+  if (settings.no_pictures) return code;
   arguments.emplace_back("--pictures-only");
   provide_display(arguments);
   draw_pictures(settings, sets, targets);
   write_reports(settings, sets, targets, found.left_out);
+  std::cout << count.sentence() << '\n';  // again, as many lines came in between
+  return code;
 }
 
 }  // namespace
@@ -137,6 +145,8 @@ int main(int count, char** words)
       ->check(CLI::IsMember({"top", "bottom", "mean"}));
   app.add_flag("--no-pictures", settings.no_pictures, "tables only");
   app.add_flag("--draft", settings.draft, "3-D pictures with ragged edges, in a third of the time");
+  app.add_flag("--strict", settings.strict,
+               "exit code 3 if a required check is missed [0: it is told, no more]");
   app.add_flag("--pictures-only", settings.pictures_only, "pictures only, no tables");
   try {
     app.parse(count, words);
@@ -148,10 +158,9 @@ int main(int count, char** words)
     if (!platen.empty()) settings.platen = platen_of(platen);
     if (settings.targets.empty()) settings.targets = default_targets();
     if (settings.output.empty()) settings.output = default_output(settings.folders.front());
-    run(settings, {words + 1, words + count});
+    return run(settings, {words + 1, words + count});
   } catch (const std::exception& problem) {
     std::cerr << "encase-postprocess: " << problem.what() << '\n';
     return 1;
   }
-  return 0;
 }

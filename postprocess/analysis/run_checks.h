@@ -17,6 +17,7 @@ struct ShearRecord {
   std::vector<double> confining_stress;    ///< [Pa]
   std::vector<double> stress_top;          ///< [Pa]
   std::vector<double> stress_bottom;       ///< [Pa]
+  std::vector<double> weight_stress;       ///< of the grains [Pa]; empty where it is not known
   std::vector<double> unbalanced_average;  ///< mean unbalanced over mean contact force [-]
   std::vector<double> inertial_number;     ///< [-]
   std::vector<double> energy_error;        ///< share of the work put in that is not found again [-]
@@ -25,14 +26,17 @@ struct ShearRecord {
 /// One check: what was found, what is allowed, and whether it is a requirement of this test.
 struct Check {
   std::string name;
-  double found;    ///< [-]
-  double allowed;  ///< [-]
-  bool required;   ///< false: told for information
-  bool passed() const { return found <= allowed; }
+  double found;      ///< [-]
+  double allowed;    ///< [-]
+  bool required;     ///< false: told for information
+  bool made = true;  ///< false: something it takes is missing; the name says what
+  bool passed() const { return made && found <= allowed; }
+  bool missed() const { return made && found > allowed; }
 };
 
 /// Largest share [-] by which the two platens' stresses differ, averaged over windows of
-/// `check_averaging_width`, relative to the mean of both.
+/// `check_averaging_width`, relative to the mean of both. The upper one's stress counts with the
+/// weight of the grains on it; where that is not known, alone.
 double platen_difference(const ShearRecord& record);
 
 /// The same at each sample, not averaged, signed: positive where the top carries more.

@@ -62,9 +62,8 @@ PageData facts(const TestResult& test, const Targets& targets, const RunRecord& 
                "overlaps counted once");
   if (test.grains) list << fact("Grains", std::to_string(*test.grains), "");
   const CheckCount count = count_checks({{run.set(), {test}, {}}});
-  list << fact(
-      "Checks passed",
-      std::to_string(count.required - count.failed) + " of " + std::to_string(count.required), "");
+  list << fact("Checks passed",
+               std::to_string(count.passed()) + " of " + std::to_string(count.required), "");
   list << fact("Warnings", std::to_string(record.warnings.size()), "");
   return list;
 }
@@ -149,7 +148,6 @@ std::string case_page(const TestResult& test, const Targets& targets,
   PageData page;
   page.set("title", run.title);
   std::string subtitle = "Case " + run.id + ", deck " + run.deck;
-  if (!run.resolution.empty()) subtitle += ", resolution " + run.resolution;
   if (!run.reproduces.empty()) subtitle += "; reproduces " + run.reproduces + " of the study";
   page.set("subtitle", subtitle + ".");
   page.set("encased", run.encased() ? PageData::type::bool_true : PageData::type::bool_false);

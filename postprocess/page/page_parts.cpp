@@ -37,7 +37,7 @@ PageData cell(const std::string& word, bool numeric)
   if (word.size() > 25) data.set("kind", "long");
   if (word == "pass") data.set("kind", "good");
   if (word == "FAIL") data.set("kind", "bad");
-  if (word == "not required") data.set("kind", "info");
+  if (word == "not required" || word == "not made") data.set("kind", "info");
   return data;
 }
 

@@ -40,7 +40,7 @@ std::vector<std::string> as_words(const TestResult& test, const RunRecord& recor
           fixed(test.peak.reported / 1e3, 0),
           test.secant_modulus ? fixed(*test.secant_modulus / 1e6, 1) : "-",
           fixed(100.0 * test.axial_strain.back(), 1),
-          std::to_string(count.required - count.failed) + " of " + std::to_string(count.required),
+          std::to_string(count.passed()) + " of " + std::to_string(count.required),
           std::to_string(record.warnings.size()),
           time_of(record)};
 }

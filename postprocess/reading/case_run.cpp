@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <regex>
 #include <tuple>
 
 namespace encased_column {
@@ -55,6 +56,16 @@ CaseRun read_description(const fs::path& folder)
   return run;
 }
 
+/// The title of `run` with the stress and the resolution it was made with: the one given is that of
+/// its row in series.csv, whatever was set besides.
+std::string own_title(const CaseRun& run)
+{
+  static const std::regex stress(R"(\bat \S+ kPa\b)");
+  const std::string own = "at " + in_words(run.confining_stress / 1e3) + " kPa";
+  const std::string title = std::regex_replace(run.title, stress, own);
+  return run.resolution.empty() ? title : title + ", resolution " + run.resolution;
+}
+
 void read_results(CaseRun& run)
 {
   const auto found = run.variables.find("sigma3");
@@ -63,6 +74,7 @@ void read_results(CaseRun& run)
                      "' must be a stress above zero [Pa], found none, write for example "
                      "\"sigma3\": 50000");
   run.confining_stress = found->second;
+  run.title = own_title(run);
   run.history = TextTable(run.folder / "history.csv");
   run.generation_porosity = reported_porosity(run.folder / "gradation.csv");
 }

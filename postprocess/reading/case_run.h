@@ -14,7 +14,8 @@ namespace encased_column {
 /// One run of a triaxial deck: what was asked for (case.json) and what came out (history.csv).
 struct CaseRun {
   std::filesystem::path folder;
-  std::string id, deck, title;
+  std::string id, deck;
+  std::string title;       ///< with the confining stress and the resolution it was made with
   std::string reproduces;  ///< of the study; empty if the case does not say
   std::vector<std::pair<std::string, std::string>> inputs;  ///< all variables, in the deck's order
   std::string resolution;                                   ///< empty if the deck has none

@@ -16,7 +16,7 @@ std::optional<GrainFile> last_grain_file(const fs::path& folder)
 {
   const fs::path collection = folder / "grains" / "grains.pvd";
   if (!fs::exists(collection)) return std::nullopt;
-  const fs::path file = frame_files(collection).rbegin()->second;
+  const auto [time, file] = *frame_files(collection).rbegin();
   vtkNew<vtkXMLPolyDataReader> reader;
   if (!fs::exists(file) || !reader->CanReadFile(file.c_str()))
     refuse_collection(collection, "'" + file.string() + "', which cannot be read");
@@ -24,7 +24,11 @@ std::optional<GrainFile> last_grain_file(const fs::path& folder)
   reader->Update();
   if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
     refuse_collection(collection, "'" + file.string() + "', which holds no grain or was cut off");
-  return GrainFile{file, static_cast<long>(reader->GetOutput()->GetNumberOfPoints())};
+  GrainFile last{file, time, static_cast<long>(reader->GetOutput()->GetNumberOfPoints()), {}};
+  last.centers.resize(static_cast<std::size_t>(last.grains));
+  for (long i = 0; i < last.grains; ++i)
+    reader->GetOutput()->GetPoint(i, last.centers[static_cast<std::size_t>(i)].data());
+  return last;
 }
 
 std::optional<FrameWithGrains> last_frame_with_grains(const fs::path& folder,

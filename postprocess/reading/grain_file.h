@@ -1,15 +1,19 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace encased_column {
 
 /// The last state of the grains a run left.
 struct GrainFile {
-  std::filesystem::path file;  ///< of VTK's XML PolyData, one point per grain
-  long grains;                 ///< their number
+  std::filesystem::path file;                  ///< of VTK's XML PolyData, one point per grain
+  double time;                                 ///< as the collection has it
+  long grains;                                 ///< their number
+  std::vector<std::array<double, 3>> centers;  ///< [m]
 };
 
 /// Reads the collection `folder`/grains/grains.pvd; nothing if the run wrote none. Throws

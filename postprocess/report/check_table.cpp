@@ -9,6 +9,7 @@ namespace {
 
 std::string verdict(const Check& check)
 {
+  if (!check.made) return "not made";
   if (check.passed()) return "pass";
   return check.required ? "FAIL" : "not required";
 }
@@ -21,8 +22,8 @@ Rows check_rows(const std::vector<SetResult>& sets)
   for (const SetResult& set : sets)
     for (const TestResult& test : set.tests)
       for (const Check& check : test.checks) {
-        char found[32];
-        std::snprintf(found, sizeof found, "%.3g", check.found);
+        char found[32] = "-";
+        if (check.made) std::snprintf(found, sizeof found, "%.3g", check.found);
         rows.push_back({test.run->id, check.name, found, in_words(check.allowed), verdict(check)});
       }
   return rows;
@@ -30,8 +31,9 @@ Rows check_rows(const std::vector<SetResult>& sets)
 
 std::string CheckCount::sentence() const
 {
-  if (failed == 0) return "All " + std::to_string(required) + " checks passed.";
-  return std::to_string(failed) + " of " + std::to_string(required) + " checks FAILED.";
+  std::string text = std::to_string(failed) + " of " + std::to_string(required) + " checks missed";
+  if (not_made > 0) text += ", " + std::to_string(not_made) + " not made";
+  return text + '.';
 }
 
 CheckCount count_checks(const std::vector<SetResult>& sets)
@@ -41,7 +43,8 @@ CheckCount count_checks(const std::vector<SetResult>& sets)
     for (const TestResult& test : set.tests)
       for (const Check& check : test.checks) {
         count.required += check.required;
-        count.failed += check.required && !check.passed();
+        count.failed += check.required && check.missed();
+        count.not_made += check.required && !check.made;
       }
   return count;
 }

@@ -11,9 +11,10 @@ namespace encased_column {
 /// The checks of all tests, one row each, below a row of headings.
 Rows check_rows(const std::vector<SetResult>& sets);
 
-/// How many of the required checks failed.
+/// How many of the required checks failed, and how many could not be made.
 struct CheckCount {
-  int failed = 0, required = 0;
+  int failed = 0, not_made = 0, required = 0;
+  int passed() const { return required - failed - not_made; }
   std::string sentence() const;
 };
 CheckCount count_checks(const std::vector<SetResult>& sets);

@@ -1,9 +1,11 @@
 #include "report/evaluation.h"
 
+#include "analysis/grain_weight.h"
 #include "core/input_error.h"
 #include "reading/column_files.h"
 #include "reading/grain_file.h"
 #include "reading/sleeve_files.h"
+#include "report/outside_check.h"
 
 namespace encased_column {
 
@@ -24,6 +26,23 @@ std::vector<double> deviatoric_stress(const TextTable& history, Platen platen)
   return mean_of(history.numbers(top), history.numbers(bottom));
 }
 
+// No variable of the decks: each has `fix gravity all gravity 9.8`.
+constexpr double gravity_of_decks = 9.8;  // m/s^2
+
+/// Stress of the grains' weight at each sample [Pa]; none where the run does not know their
+/// density.
+std::vector<double> weight_stresses(const CaseRun& run)
+{
+  const auto density = run.variables.find("density");
+  if (density == run.variables.end()) return {};
+  const std::vector<double> porosity = run.history.numbers("porosity [-]");
+  const std::vector<double> height = run.history.numbers("height [m]");
+  std::vector<double> stresses;
+  for (std::size_t i = 0; i < height.size(); ++i)
+    stresses.push_back(weight_stress(density->second, gravity_of_decks, porosity[i], height[i]));
+  return stresses;
+}
+
 ShearRecord shear_record(const CaseRun& run)
 {
   ShearRecord record;
@@ -32,6 +51,7 @@ ShearRecord shear_record(const CaseRun& run)
   record.confining_stress = run.history.numbers("confining_stress [Pa]");
   record.stress_top = run.history.numbers("stress_top [Pa]");
   record.stress_bottom = run.history.numbers("stress_bottom [Pa]");
+  record.weight_stress = weight_stresses(run);
   record.unbalanced_average = run.history.numbers("unbalanced_average [-]");
   record.inertial_number = run.history.numbers("inertial_number [-]");
   record.energy_error = run.history.numbers("energy_error [-]");
@@ -57,7 +77,9 @@ TestResult evaluate_run(const CaseRun& run, Platen platen, const std::optional<S
       confining.mean(result.peak.axial_strain - half_width, result.peak.axial_strain + half_width),
       result.peak.reported);
   result.checks = run_checks(result.record, !run.encased());
-  if (const auto grains = last_grain_file(run.folder)) result.grains = grains->grains;
+  const std::optional<GrainFile> grains = last_grain_file(run.folder);
+  if (grains) result.grains = grains->grains;
+  result.checks.push_back(outside_check(run, grains));
   result.spheres = read_spheres(run);
   result.contacts = read_contacts(run);
   if (!run.encased()) return result;

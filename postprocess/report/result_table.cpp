@@ -71,6 +71,59 @@ void add_sleeve(const TestResult& test, std::vector<ResultRow>& rows)
                   {}});
 }
 
+/// `words`, each once, in the order they come in.
+std::vector<std::string> distinct(const std::vector<std::string>& words)
+{
+  std::vector<std::string> found;
+  for (const std::string& word : words)
+    if (std::find(found.begin(), found.end(), word) == found.end()) found.push_back(word);
+  return found;
+}
+
+std::string listed(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// The resolutions of the tests, for a heading; nothing if no deck has one.
+std::string resolutions(const SetResult& set)
+{
+  std::vector<std::string> words;
+  for (const TestResult& test : set.tests)
+    if (!test.run->resolution.empty()) words.push_back(test.run->resolution);
+  words = distinct(words);
+  if (words.empty()) return {};
+  return (words.size() > 1 ? ", resolutions " : ", resolution ") + listed(words);
+}
+
+/// What `run` has for the variable `name`.
+std::string value_of(const CaseRun& run, const std::string& name)
+{
+  for (const auto& [other, value] : run.inputs)
+    if (other == name) return value;
+  return "none";
+}
+
+/// "mu (0.8, 0.5)" for each variable in which the tests differ, besides sigma3 and those that
+/// change only what is written.
+std::vector<std::string> mixed_variables(const SetResult& set)
+{
+  std::vector<std::string> names, mixed;
+  for (const TestResult& test : set.tests)
+    for (const auto& [name, value] : test.run->inputs) names.push_back(name);
+  for (const std::string& name : distinct(names)) {
+    if (name == "sigma3" || name == "frames" || name == "chains" || name == "restart_every")
+      continue;
+    std::vector<std::string> values;
+    for (const TestResult& test : set.tests) values.push_back(value_of(*test.run, name));
+    values = distinct(values);
+    if (values.size() > 1) mixed.push_back(name + " (" + listed(values) + ")");
+  }
+  return mixed;
+}
+
 }  // namespace
 
 const std::vector<std::string> result_headings{
@@ -142,10 +195,15 @@ std::vector<std::string> result_notes(const SetResult& set)
   std::vector<std::string> notes;
   for (const TestResult& test : set.tests)
     for (const std::string& note : test_notes(test)) notes.push_back(note);
+  const std::string kind = set.tests.front().run->encased() ? "encased" : "plain";
+  const std::vector<std::string> mixed = mixed_variables(set);
+  if (set.line && !mixed.empty())
+    notes.push_back("The line of the " + kind +
+                    " tests, and so phi and c, mixes runs that differ in more than sigma3: " +
+                    listed(mixed) + ".");
   if (!set.line)
     notes.push_back(
-        std::string("No friction angle and cohesion of the ") +
-        (set.tests.front().run->encased() ? "encased" : "plain") +
+        "No friction angle and cohesion of the " + kind +
         " tests: they take peaks at two confining stresses at least, on a line that rises by less "
         "than 3.");
   return notes;
@@ -173,7 +231,7 @@ std::string result_text(const std::vector<SetResult>& sets, const Targets& targe
     const TestResult& first = set.tests.front();
     text += (text.empty() ? "" : "\n");
     text += std::string(first.run->encased() ? "Encased" : "Plain") + " triaxial tests";
-    if (!first.run->resolution.empty()) text += ", resolution " + first.run->resolution;
+    text += resolutions(set);
     text += ", q from the " + platen_name(first.platen) + "; laboratory and model: the study's\n\n";
     Rows rows{result_headings};
     for (const ResultRow& row : result_rows(set, targets)) rows.push_back(as_words(row));

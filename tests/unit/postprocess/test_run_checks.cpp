@@ -1,3 +1,4 @@
+#include "analysis/grain_weight.h"
 #include "analysis/run_checks.h"
 #include "core/constants.h"
 
@@ -79,12 +80,41 @@ TEST(RunChecks, AverageThePlatenDifferenceOverOnePercentStrain)
   EXPECT_EQ(failures(record).size(), 1u);
 }
 
-// 200 mm of grains weigh some 2 kPa, 4 % of a confining stress of 50 kPa.
+// 2.1 kg of grains in a cylinder that gets shorter and bulges from 50 to 57 mm: the weight is the
+// same, the stress of it a quarter less. The lower platen bears both.
 TEST(RunChecks, DoNotTakeTheWeightOfTheGrainsForFriction)
 {
   ShearRecord record = good_record();
-  for (double& stress : record.stress_bottom) stress += 12e3;
+  for (std::size_t i = 0; i < record.stress_top.size(); ++i) {
+    const double radius = 0.05 + 0.035 * record.axial_strain[i];
+    const double height = 0.2 * (1.0 - record.axial_strain[i]);
+    const double area = pi * radius * radius;
+    record.stress_bottom[i] = record.stress_top[i] + 2.1 * 9.8 / area;
+    const double porosity = 1.0 - 2.1 / 1738.0 / (area * height);
+    record.weight_stress.push_back(weight_stress(1738.0, 9.8, porosity, height));
+  }
   EXPECT_NEAR(platen_difference(record), 0.0, 1e-12);
+  for (const double difference : platen_differences(record)) EXPECT_NEAR(difference, 0.0, 1e-12);
+}
+
+// 2.6 kPa of weight and 12 kPa of friction on the side, both there from the first row on.
+TEST(RunChecks, TakeForFrictionWhatThePlatensDifferByBeforeShearBeyondTheWeight)
+{
+  ShearRecord record = good_record();
+  for (double& stress : record.stress_bottom) stress += 2.6e3 + 12e3;
+  record.weight_stress.assign(record.stress_top.size(), 2.6e3);
+  EXPECT_NEAR(platen_difference(record), 12.0 / 308.6, 1e-12);
+  EXPECT_EQ(failures(record).size(), 1u);
+}
+
+TEST(RunChecks, TakeNoWeightOffAndSaySoWhereItIsNotKnown)
+{
+  ShearRecord record = good_record();
+  for (double& stress : record.stress_bottom) stress += 2.6e3;
+  EXPECT_NEAR(platen_difference(record), 2.6 / 301.3, 1e-12);
+  EXPECT_NE(run_checks(record, true)[2].name.find("case.json has no density"), std::string::npos);
+  record.weight_stress.assign(record.stress_top.size(), 2.6e3);
+  EXPECT_EQ(run_checks(record, true)[2].name.find("density"), std::string::npos);
 }
 
 TEST(RunChecks, TellThePlatenDifferenceWithoutRequiringItWhereASleeveTakesLoad)

@@ -29,8 +29,9 @@ void make_case(const fs::path& folder, const std::string& kind)
   fs::copy_file(inputs / deck / (deck + ".lmp"), folder / "input" / (deck + ".lmp"));
   fs::copy(inputs / "common", folder / "input/common");
   std::ofstream(folder / "case.json")
-      << "{\"id\": \"" << kind << "\", \"deck\": \"" << deck << "\", \"title\": \"A <small> test, "
-      << kind << "\", \"variables\": {\"resolution\": \"small\", \"sigma3\": 50000, "
+      << "{\"id\": \"" << kind << "\", \"deck\": \"" << deck
+      << "\", \"title\": \"A <small> test at 7 kPa, " << kind
+      << "\", \"variables\": {\"resolution\": \"small\", \"sigma3\": 50000, "
       << "\"modulus\": 7000000, \"radius\": 0.03}}\n";
   std::ofstream(folder / "command.txt")
       << "/opt/liggghts-encase -in input/x.lmp -var common input/common -var sigma3 50e3\n";
@@ -185,7 +186,8 @@ TEST_F(ReportTest, NamesThePicturesBesideFiguresOfTheStudy)
 TEST_F(ReportTest, TellsUnitsWarningsAndHowToRepeatTheRun)
 {
   const std::string html = text("plain/report.html");
-  EXPECT_NE(html.find("A &lt;small&gt; test, plain"), std::string::npos);
+  EXPECT_NE(html.find("A &lt;small&gt; test at 50 kPa, plain, resolution small"),
+            std::string::npos);
   EXPECT_NE(html.find(">7</td><td>MPa</td>"), std::string::npos);
   EXPECT_NE(html.find(">30</td><td>mm</td>"), std::string::npos);
   EXPECT_NE(html.find("measuring sphere 1 of fix &apos;spheres&apos; holds"), std::string::npos);

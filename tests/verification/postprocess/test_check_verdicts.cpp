@@ -1,0 +1,171 @@
+// Grains in their places and beyond the walls, in the last file of a run: what the checks say, and
+// what the program ends with.
+#include "closed_form_case.h"
+#include "output/pvd_collection.h"
+#include "output/vtk_grains_writer.h"
+#include "support/child_program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+using namespace encased_column;
+using namespace encased_column::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Places = std::vector<std::array<double, 3>>;
+
+// At 10 % strain the specimen is 180 mm high and 52.7 mm in radius.
+constexpr double last_step = 10000;
+
+/// The lower platen moves: at the last file it stands at 20 mm, the upper one at 200 mm.
+const std::string lower_moves =
+    R"("sigma3": 50000, "resolution": "quick", "height": 0.2, "density": 1738, "moving": 0)";
+/// The upper one: 0 and 180 mm.
+const std::string upper_moves =
+    R"("sigma3": 50000, "resolution": "quick", "height": 0.2, "density": 1738, "moving": 1)";
+
+void write_grains_at(const fs::path& run, const Places& places)
+{
+  std::vector<GrainRecord> grains;
+  for (const auto& place : places) {
+    GrainRecord grain{};
+    grain.radius = 4e-3;
+    grain.position = place;
+    grains.push_back(grain);
+  }
+  fs::create_directories(run / "grains");
+  std::ofstream(run / "grains/grains.pvd") << pvd_text({{last_step, "last.vtp"}});
+  ASSERT_TRUE(write_grains(run / "grains/last.vtp", grains, {}));
+}
+
+/// A sleeve of 24 flat sides from 0 to 200 mm, 50 mm from the axis at its ends, 70 mm halfway up.
+void write_sleeve_surface(const fs::path& run)
+{
+  constexpr int sides = 24;
+  std::ostringstream points, corners, ends;
+  for (const auto& [z, radius] : {std::pair{0.0, 0.05}, {0.1, 0.07}, {0.2, 0.05}})
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2.0 * 3.14159265358979 * i / sides;
+      points << radius * std::cos(angle) << ' ' << radius * std::sin(angle) << ' ' << z << '\n';
+    }
+  for (int ring = 0; ring < 2; ++ring)
+    for (int i = 0; i < sides; ++i) {
+      const int a = sides * ring + i, b = sides * ring + (i + 1) % sides;
+      corners << a << ' ' << b << ' ' << b + sides << ' ' << a << ' ' << b + sides << ' '
+              << a + sides << '\n';
+    }
+  for (int i = 1; i <= 4 * sides; ++i) ends << 3 * i << ' ';
+  fs::create_directories(run / "sleeve");
+  std::ofstream(run / "sleeve/sleeve.pvd") << pvd_text({{last_step, "last.vtp"}});
+  std::ofstream(run / "sleeve/last.vtp")
+      << "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\"><PolyData>"
+      << "<Piece NumberOfPoints=\"" << 3 * sides << "\" NumberOfPolys=\"" << 4 * sides
+      << "\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">\n"
+      << points.str() << "</DataArray></Points><Polys>"
+      << "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n"
+      << corners.str() << "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">"
+      << ends.str() << "</DataArray></Polys></Piece></PolyData></VTKFile>\n";
+}
+
+/// A series of one run.
+class CheckVerdicts : public ::testing::Test {
+ protected:
+  fs::path make_run(const std::string& kind, const std::string& variables)
+  {
+    write_case(series_.path() / kind, kind);
+    describe_case(series_.path() / kind, kind, variables);
+    return series_.path() / kind;
+  }
+  Outcome make_tables(const std::vector<std::string>& options = {})
+  {
+    std::vector<std::string> words{ENCASE_POSTPROCESS, "--no-pictures", series_.path()};
+    words.insert(words.end(), options.begin(), options.end());
+    return run_program(words, series_.path());
+  }
+  /// The row of checks.csv about grains outside.
+  std::string row()
+  {
+    std::istringstream text(read_text(series_.path() / "checks.csv"));
+    for (std::string line; std::getline(text, line);)
+      if (line.find("outside") != std::string::npos) return line;
+    return {};
+  }
+  static bool ends_with(const std::string& text, const std::string& end)
+  {
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+  }
+
+ private:
+  TemporaryFolder series_;
+};
+
+const Places between_all_walls{{0.0, 0.0, 0.021}, {0.0, 0.0, 0.179}, {0.0, -0.052, 0.1}};
+
+}  // namespace
+
+TEST_F(CheckVerdicts, PassWhereAllGrainsAreBetweenPlatensAndCylinder)
+{
+  write_grains_at(make_run("plain", lower_moves), between_all_walls);
+  const Outcome outcome = make_tables({"--strict"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_TRUE(ends_with(row(), "outside platens and cylinder, last file of grains\",0,0,pass"))
+      << row();
+  EXPECT_EQ(outcome.lines().back(), "0 of 7 checks missed.");
+}
+
+// Beyond the lower platen, the upper one, and the cylinder.
+TEST_F(CheckVerdicts, FindTheGrainsBeyondPlatensAndCylinder)
+{
+  write_grains_at(make_run("plain", lower_moves), {{0.0, 0.0, 0.1},
+                                                   {0.0, 0.0, 0.019},
+                                                   {0.0, 0.0, 0.201},
+                                                   {0.04, 0.04, 0.1},
+                                                   {0.03, 0.03, 0.1}});
+  EXPECT_EQ(make_tables().exit_code, 0);
+  EXPECT_TRUE(ends_with(row(), ",3,0,FAIL")) << row();
+}
+
+TEST_F(CheckVerdicts, MissedOnesChangeTheExitCodeOnlyWhereAskedFor)
+{
+  write_grains_at(make_run("plain", lower_moves), {{0.0, 0.0, 0.019}});
+  const Outcome usual = make_tables(), strict = make_tables({"--strict"});
+  EXPECT_EQ(usual.exit_code, 0);
+  EXPECT_EQ(strict.exit_code, 3);
+  EXPECT_EQ(usual.lines().back(), "1 of 7 checks missed.");
+  EXPECT_EQ(strict.lines().back(), "1 of 7 checks missed.");
+}
+
+// The flat sides are 69.4 mm from the axis where the corners are 70.
+TEST_F(CheckVerdicts, FindTheGrainsBeyondTheSleeveWhereItIs)
+{
+  const fs::path run = make_run("encased", upper_moves);
+  write_sleeve_surface(run);
+  write_grains_at(run, {{0.069, 0.0, 0.1}, {0.0, 0.0, 0.001}, {0.052, 0.0, 0.02}});
+  make_tables();
+  EXPECT_TRUE(ends_with(row(), "outside platens and sleeve, last file of grains\",0,0,pass"))
+      << row();
+  // Beyond it halfway up; beyond it near its end, where halfway up is room; beyond a platen too.
+  write_grains_at(run, {{0.0, 0.071, 0.1}, {0.06, 0.0, 0.02}, {0.0, 0.09, 0.181}, {0.0, 0.0, 0.1}});
+  make_tables();
+  EXPECT_TRUE(ends_with(row(), ",3,0,FAIL")) << row();
+}
+
+TEST_F(CheckVerdicts, LookAtThePlatensAloneWhereASleeveLeftNoFile)
+{
+  write_grains_at(make_run("encased", upper_moves), {{0.3, 0.0, 0.1}, {0.0, 0.0, -0.001}});
+  make_tables();
+  EXPECT_TRUE(ends_with(row(), "outside the platens, last file of grains\",1,0,FAIL")) << row();
+}
+
+TEST_F(CheckVerdicts, DoNotPassWhatTheRunLeftNoFileFor)
+{
+  make_run("plain", lower_moves);
+  const Outcome outcome = make_tables({"--strict"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NE(row().find("the run left no file of grains),-,0,not made"), std::string::npos) << row();
+  EXPECT_EQ(outcome.lines().back(), "0 of 7 checks missed, 1 not made.");
+}
