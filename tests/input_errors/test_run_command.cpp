@@ -147,3 +147,21 @@ TEST(RunCommand, RefusesAnOutputFolderThatCannotBeWritten)
                      "/plain_050', free it or choose another --name");
   fs::remove(in_the_way);
 }
+
+// With the same variables the same results come again, and nothing needs to be said.
+TEST(RunCommand, SaysThatResultsOfOtherVariablesGo)
+{
+  const TemporaryFolder folder;
+  const Outcome outcome = run_program({"bash", "-c",
+                                       "set -euo pipefail; root=" + source.string() +
+                                           "; source $root/input_scripts/run_case\n"
+                                           "case_json() { echo now; }\n"
+                                           "series=$PWD resume=0; mkdir one; touch one/finished\n"
+                                           "echo now >one/case.json; announce_case one\n"
+                                           "echo before >one/case.json; announce_case one\n"},
+                                      folder.path());
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.output,
+            "Case one begins anew with other variables; its results go (another --name would keep "
+            "them)\n");
+}
