@@ -1,12 +1,15 @@
+#include "host/stop_request.h"
 #include "plugin_entry.h"
 #include "style_table.h"
 
 #include "input.h"
+#include "lammps.h"
 #include "signal_handling.h"
+#include "update.h"
 
 #include <mpi.h>
 
-#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <iostream>
 
@@ -32,26 +35,21 @@ void print_styles(std::ostream& out)
   }
 }
 
-// As in the host's own program: Ctrl-C and kill stop at the next step and write a restart file,
-// the user signal writes one and goes on.
-void install_signal_handlers()
+/// Tells in screen and log that a signal has ended the run: the exit code is 0 all the same.
+void tell_if_stopped(LAMMPS_NS::LAMMPS& lammps)
 {
-  struct sigaction stop {};
-  stop.sa_handler = LAMMPS_NS::SignalHandler::int_handler;
-  sigemptyset(&stop.sa_mask);
-  sigaction(SIGINT, &stop, nullptr);
-  sigaction(SIGTERM, &stop, nullptr);
-
-  struct sigaction save {};
-  save.sa_handler = LAMMPS_NS::SignalHandler::usr1_handler;
-  sigemptyset(&save.sa_mask);
-  sigaction(SIGUSR1, &save, nullptr);
+  if (!LAMMPS_NS::SignalHandler::request_quit) return;
+  for (std::FILE* out : {lammps.screen, lammps.logfile})
+    if (out)
+      std::fprintf(out, "Stopped by a signal at step " BIGINT_FORMAT ", with a restart file\n",
+                   lammps.update->ntimestep);
 }
 
 }  // namespace
 
 int main(int argc, char** argv)
 {
+  install_stop_handlers();  // a signal may come while MPI begins
   MPI_Init(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -69,11 +67,11 @@ int main(int argc, char** argv)
     std::cout << std::flush;
   }
 
-  install_signal_handlers();
   {
     LAMMPS_NS::LAMMPS lammps(argc, argv, MPI_COMM_WORLD);
     register_styles(&lammps);
     lammps.input->file();
+    tell_if_stopped(lammps);
   }
   MPI_Finalize();
   return 0;

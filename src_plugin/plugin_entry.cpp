@@ -1,6 +1,7 @@
 #include "plugin_entry.h"
 
 #include "dynamics/fix_gravity_of_motion.h"
+#include "host/fix_stop_request.h"
 #include "shell/fix_wall_of_sleeves.h"
 #include "style_table.h"
 
@@ -45,12 +46,18 @@ LAMMPS_NS::Fix* make_any_wall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   return make_wall(host_wall, lmp, narg, arg);
 }
 
+LAMMPS_NS::Fix* make_stop_request(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+{
+  return new FixStopRequest(lmp, narg, arg);
+}
+
 void register_fixes(LAMMPS_NS::LAMMPS* lmp)
 {
   auto& fixes = *(lmp->modify->*reveal(FixMap()));
   if (fixes.at("wall/gran") != make_any_wall) host_wall = fixes.at("wall/gran");
   fixes["wall/gran"] = make_any_wall;
   fixes["gravity"] = FixGravityOfMotion::make;
+  fixes["stop_request"] = make_stop_request;
   for (const Style& style : style_table())
     if (const auto* create = std::get_if<FixCreator>(&style.maker.create))
       fixes[style.name] = *create;
@@ -66,6 +73,7 @@ void make_box(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   static const char* const names[] = {"create_box", "read_data", "read_restart"};
   register_fixes(lmp);
   host_box_commands.at(names[which])(lmp, narg, arg);
+  FixStopRequest::add_to(lmp);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "host/granular_host.h"
 
 #include "contact/register_linear.h"
+#include "deck/record_variables_command.h"
 #include "deck/require_command.h"
 #include "dynamics/fix_motion.h"
 #include "dynamics/solve_command.h"
@@ -36,6 +37,7 @@ const std::vector<Style>& style_table()
       {"output/grains", make<FixOutputGrains>()},
       {"output/restart", make<FixOutputRestart>()},
       {"output/sleeve", make<FixOutputSleeve>()},
+      {"record_variables", make<RecordVariablesCommand>()},
       {"require", make<RequireCommand>()},
       {"servo/cylinder", make<FixServoCylinder>()},
       {"servo/platen", make<FixServoPlaten>()},

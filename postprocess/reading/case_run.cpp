@@ -2,10 +2,11 @@
 
 #include "core/input_error.h"
 #include "core/read_number.h"
-
-#include <nlohmann/json.hpp>
+#include "runner/case_record.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <tuple>
@@ -33,25 +34,20 @@ bool is_case(const fs::path& folder)
 
 CaseRun read_description(const fs::path& folder)
 {
-  const fs::path file = folder / "case.json";
+  const CaseRecord record = read_case_record(folder / "case.json");
   CaseRun run;
   run.folder = folder;
-  try {
-    std::ifstream stream(file);
-    const auto json = nlohmann::ordered_json::parse(stream);
-    run.id = json.at("id").get<std::string>();
-    run.deck = json.at("deck").get<std::string>();
-    run.title = json.value("title", run.id);
-    run.reproduces = json.value("reproduces", "");
-    for (const auto& [name, value] : json.at("variables").items()) {
-      if (value.is_number()) run.variables[name] = value.get<double>();
-      run.inputs.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
-      if (name == "resolution" && value.is_string()) run.resolution = value.get<std::string>();
-    }
-  } catch (const nlohmann::json::exception& problem) {
-    throw InputError("'" + file.string() +
-                     "' must hold the texts id and deck and the object variables, found " +
-                     problem.what() + ", run the case again");
+  run.id = record.id;
+  run.deck = record.deck;
+  run.title = record.title;
+  run.reproduces = record.reproduces;
+  run.has_sleeve = fs::exists(folder / "sleeve.csv") || fs::is_directory(folder / "sleeve");
+  for (const auto& [name, value] : record.used) {
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    if (!value.empty() && !*end && std::isfinite(number)) run.variables[name] = number;
+    run.inputs.emplace_back(name, value);
+    if (name == "resolution") run.resolution = value;
   }
   return run;
 }
@@ -83,7 +79,7 @@ std::vector<fs::path> cases_of(const fs::path& folder)
 {
   if (!fs::is_directory(folder))
     throw InputError("a folder of runs must be a folder, found '" + folder.string() +
-                     "', write for example 'encase-postprocess runs/default'");
+                     "', write for example 'encase report runs/default'");
   if (is_case(folder)) return {folder};
   std::vector<fs::path> cases;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
@@ -103,12 +99,12 @@ CaseRuns read_case_runs(const std::vector<fs::path>& folders)
   for (const fs::path& given : folders)
     for (const fs::path& folder : cases_of(given)) {
       CaseRun run = read_description(folder);
-      if (run.deck.find("triaxial") == std::string::npos)
-        found.left_out.push_back("'" + run.id + "' is left out: deck '" + run.deck +
-                                 "' is not a triaxial test");
-      else if (folder != given && !fs::exists(folder / "history.csv"))
+      if (folder != given && !fs::exists(folder / "history.csv"))
         found.left_out.push_back("'" + run.id + "' is left out: no history.csv, it did not get " +
                                  "as far as its shear stage");
+      else if (folder != given && run.inputs.empty())
+        found.left_out.push_back("'" + run.id + "' is left out: it has not said which variables " +
+                                 "it used");
       else {
         read_results(run);
         found.runs.push_back(std::move(run));

@@ -20,11 +20,12 @@ struct CaseRun {
   std::vector<std::pair<std::string, std::string>> inputs;  ///< all variables, in the deck's order
   std::string resolution;                                   ///< empty if the deck has none
   std::map<std::string, double> variables;    ///< the numbers among the deck's variables
+  bool has_sleeve = false;                    ///< it has written a sleeve's files
   double confining_stress;                    ///< sigma3 asked for [Pa]
   TextTable history;                          ///< samples of the shear stage
   std::optional<double> generation_porosity;  ///< at full size, as gradation.csv reports it [-]
 
-  bool encased() const { return deck.find("encased") != std::string::npos; }
+  bool encased() const { return has_sleeve; }
   /// The set of the published values this run belongs to, as targets.csv calls it.
   std::string set() const { return encased() ? "encased_triaxial" : "plain_triaxial"; }
 };

@@ -4,6 +4,7 @@
 #include "host/rank_sums.h"
 #include "host/stop_run.h"
 #include "output/output_places.h"
+#include "output/restart_seal.h"
 #include "output/whole_file.h"
 
 #include "signal_handling.h"
@@ -114,7 +115,7 @@ void FixOutputRestart::write()
   std::string part = unfinished(file_);
   LAMMPS_NS::WriteRestart(lmp).write(part.data());
   written_step_ = update->ntimestep;
-  if (comm->me == 0 && !(is_on_disk(part) && finish_file(file_)))
+  if (comm->me == 0 && !(seal_file(part) && is_on_disk(part) && finish_file(file_)))
     stop_from_one_rank(lmp, ("fix output/restart cannot write '" + file_ +
                              "', free some space or mend the folder's rights"));
 }

@@ -20,6 +20,7 @@ void write_case(const fs::path& folder, const std::string& kind, bool core, doub
   fs::create_directories(folder);
   describe_case(folder, kind, R"("sigma3": 50000, "radius": 0.05, "resolution": "quick")");
   const bool encased = kind == "encased";
+  if (encased) fs::create_directories(folder / "sleeve");  // where a sleeve leaves its files
   std::ofstream history(folder / "history.csv");
   history << "axial_strain [-],stress_top [Pa],stress_bottom [Pa],confining_stress [Pa],"
              "deviatoric_stress_top [Pa],deviatoric_stress_bottom [Pa],volumetric_strain [-],"

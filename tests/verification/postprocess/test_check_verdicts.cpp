@@ -82,7 +82,7 @@ class CheckVerdicts : public ::testing::Test {
   }
   Outcome make_tables(const std::vector<std::string>& options = {})
   {
-    std::vector<std::string> words{ENCASE_POSTPROCESS, "--no-pictures", series_.path()};
+    std::vector<std::string> words{ENCASE_COMMAND, "report", "--no-pictures", series_.path()};
     words.insert(words.end(), options.begin(), options.end());
     return run_program(words, series_.path());
   }

@@ -54,7 +54,7 @@ std::vector<std::map<std::string, std::string>> rows_of(const fs::path& file)
 
 Outcome make_tables(const fs::path& series)
 {
-  return run_program({ENCASE_POSTPROCESS, "--no-pictures", series}, series);
+  return run_program({ENCASE_COMMAND, "report", "--no-pictures", series}, series);
 }
 
 }  // namespace

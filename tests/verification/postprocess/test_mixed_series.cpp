@@ -19,7 +19,7 @@ class MixedSeries : public ::testing::Test {
     describe_case(one, "plain", "\"sigma3\": 50000, " + first);
     write_case(two, "plain", true, 2.0);
     describe_case(two, "plain", "\"sigma3\": 100000, " + second);
-    return run_program({ENCASE_POSTPROCESS, "--no-pictures", series_.path()}, series_.path())
+    return run_program({ENCASE_COMMAND, "report", "--no-pictures", series_.path()}, series_.path())
         .output;
   }
   static bool has(const std::string& text, const std::string& part)

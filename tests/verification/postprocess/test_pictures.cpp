@@ -70,7 +70,7 @@ class PicturesTest : public ::testing::Test {
     write_bars(series / "plain");
     write_case(series / "encased", "encased");
     write_column(series / "encased", false);
-    outcome_ = run_program({ENCASE_POSTPROCESS, "--draft", series}, series);
+    outcome_ = run_program({ENCASE_COMMAND, "report", "--draft", series}, series);
   }
   static void TearDownTestSuite() { delete folder_; }
   void SetUp() override { ASSERT_EQ(outcome_.exit_code, 0) << outcome_.output; }

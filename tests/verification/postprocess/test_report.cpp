@@ -63,7 +63,7 @@ class ReportTest : public ::testing::Test {
     make_case(series / "encased", "encased");
     fs::remove(series / "plain/contacts.csv");  // as a deck of its own may do without them
     write_contacts(series / "encased");
-    outcome_ = run_program({ENCASE_POSTPROCESS, "--draft", series}, series);
+    outcome_ = run_program({ENCASE_COMMAND, "report", "--draft", series}, series);
     ASSERT_EQ(outcome_.exit_code, 0) << outcome_.output;
     visit_ = visit(series, pages);
   }

@@ -1,3 +1,5 @@
+#include "report_command.h"
+
 #include "core/input_error.h"
 #include "drawing/column_figures.h"
 #include "drawing/display.h"
@@ -20,28 +22,11 @@
 #include <iostream>
 #include <optional>
 
+namespace encased_column {
+
 namespace fs = std::filesystem;
-using namespace encased_column;
 
 namespace {
-
-struct Settings {
-  std::vector<fs::path> folders;
-  fs::path targets, output;
-  std::optional<Platen> platen;
-  bool no_pictures = false;
-  bool draft = false;
-  bool strict = false;
-  bool pictures_only = false;  ///< set when started again under a virtual display
-};
-
-/// The published values where a build or an installation puts them.
-fs::path default_targets()
-{
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
-  const fs::path installed = program.parent_path() / "share" / "encased-columns" / "targets.csv";
-  return fs::exists(installed) ? installed : program / "targets.csv";
-}
 
 /// A series holds its own results; those of single cases go beside the first of them.
 fs::path default_output(const fs::path& first)
@@ -59,7 +44,7 @@ void create_folder(const fs::path& folder)
                      "' refused, write for example '--output results'");
 }
 
-void write_tables(const Settings& settings, const std::vector<SetResult>& sets,
+void write_tables(const ReportOptions& settings, const std::vector<SetResult>& sets,
                   const Targets& targets)
 {
   const std::string table = result_text(sets, targets) + theory_text(sets);
@@ -73,7 +58,7 @@ void write_tables(const Settings& settings, const std::vector<SetResult>& sets,
   std::cout << table << '\n' << checks << std::flush;
 }
 
-void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
+void draw_pictures(const ReportOptions& settings, const std::vector<SetResult>& sets,
                    const Targets& targets)
 {
   if (settings.draft) draw_drafts();
@@ -90,7 +75,7 @@ void draw_pictures(const Settings& settings, const std::vector<SetResult>& sets,
 }
 
 /// One page beside the results of all, one in each case folder.
-void write_reports(const Settings& settings, const std::vector<SetResult>& sets,
+void write_reports(const ReportOptions& settings, const std::vector<SetResult>& sets,
                    const Targets& targets, const std::vector<std::string>& left_out)
 {
   const fs::path report = settings.output / "report.html";
@@ -108,11 +93,13 @@ void write_reports(const Settings& settings, const std::vector<SetResult>& sets,
 constexpr int check_missed = 3;  // exit code
 
 /// The exit code.
-int run(const Settings& settings, std::vector<std::string> arguments)
+int run(const ReportOptions& settings, std::vector<std::string> arguments)
 {
   const CaseRuns found = read_case_runs(settings.folders);
   const Targets targets(settings.targets);
-  const std::vector<SetResult> sets = evaluate(found.runs, settings.platen, targets.strip_limit());
+  std::optional<Platen> platen;
+  if (!settings.platen.empty()) platen = platen_of(settings.platen);
+  const std::vector<SetResult> sets = evaluate(found.runs, platen, targets.strip_limit());
   if (!settings.pictures_only) {
     for (const std::string& sentence : found.left_out) std::cerr << "note: " << sentence << '\n';
     write_tables(settings, sets, targets);
@@ -128,39 +115,43 @@ int run(const Settings& settings, std::vector<std::string> arguments)
   return code;
 }
 
+/// The published values where a build, an installation or the sources have them.
+fs::path default_targets(const Places& places)
+{
+  return places.source.empty() ? places.inputs / "targets.csv"
+                               : places.source / "postprocess" / "targets.csv";
+}
+
 }  // namespace
 
-int main(int count, char** words)
+void add_report_options(CLI::App& command, ReportOptions& options)
 {
-  Settings settings;
-  CLI::App app{"Curves, tables and pictures of triaxial runs"};
-  app.add_option("folders", settings.folders, "a series (runs/default) or several case folders")
+  command.add_option("folders", options.folders, "a series (runs/default) or several case folders")
       ->required();
-  app.add_option("--targets", settings.targets,
-                 "CSV file of the published values [targets.csv beside the program]");
-  app.add_option("--output", settings.output,
-                 "folder for the results [the series, or the folder that holds the first case]");
-  std::string platen;
-  app.add_option("--platen", platen, "platen that q is read from [plain: mean, encased: bottom]")
+  command.add_option("--targets", options.targets,
+                     "CSV file of the published values [targets.csv of this project]");
+  command.add_option(
+      "--output", options.output,
+      "folder for the results [the series, or the folder that holds the first case]");
+  command
+      .add_option("--platen", options.platen,
+                  "platen that q is read from [plain: mean, encased: bottom]")
       ->check(CLI::IsMember({"top", "bottom", "mean"}));
-  app.add_flag("--no-pictures", settings.no_pictures, "tables only");
-  app.add_flag("--draft", settings.draft, "3-D pictures with ragged edges, in a third of the time");
-  app.add_flag("--strict", settings.strict,
-               "exit code 3 if a required check is missed [0: it is told, no more]");
-  app.add_flag("--pictures-only", settings.pictures_only, "pictures only, no tables");
-  try {
-    app.parse(count, words);
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : 1;
-  }
-  vtkObject::GlobalWarningDisplayOff();
-  try {
-    if (!platen.empty()) settings.platen = platen_of(platen);
-    if (settings.targets.empty()) settings.targets = default_targets();
-    if (settings.output.empty()) settings.output = default_output(settings.folders.front());
-    return run(settings, {words + 1, words + count});
-  } catch (const std::exception& problem) {
-    std::cerr << "encase-postprocess: " << problem.what() << '\n';
-    return 1;
-  }
+  command.add_flag("--no-pictures", options.no_pictures, "tables only");
+  command.add_flag("--draft", options.draft,
+                   "3-D pictures with ragged edges, in a third of the time");
+  command.add_flag("--strict", options.strict,
+                   "exit code 3 if a required check is missed [0: it is told, no more]");
+  command.add_flag("--pictures-only", options.pictures_only, "pictures only, no tables");
 }
+
+int report_command(ReportOptions options, const Places& places,
+                   const std::vector<std::string>& arguments)
+{
+  vtkObject::GlobalWarningDisplayOff();
+  if (options.targets.empty()) options.targets = default_targets(places);
+  if (options.output.empty()) options.output = default_output(options.folders.front());
+  return run(options, arguments);
+}
+
+}  // namespace encased_column

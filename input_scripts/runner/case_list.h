@@ -1,0 +1,28 @@
+#pragma once
+
+#include "runner/case_folder.h"
+#include "runner/deck_catalogue.h"
+#include "runner/run_options.h"
+#include "runner/series.h"
+
+#include <ostream>
+#include <vector>
+
+namespace encased_column {
+
+/// The cases of our series.csv and of --cases.
+struct Catalogue {
+  std::vector<Case> ours, theirs;
+  std::vector<Case> all() const { return together(ours, theirs); }
+};
+Catalogue read_catalogue(const Places& places, const RunOptions& options);
+
+/// The cases that `options` choose, each once, with decks and variables checked. Throws InputError.
+std::vector<CasePlan> chosen_cases(const Catalogue& catalogue, DeckCatalogue& decks,
+                                   const RunOptions& options);
+
+/// What --list shows.
+void list_cases(std::ostream& out, const Catalogue& catalogue, DeckCatalogue& decks,
+                const RunOptions& options);
+
+}  // namespace encased_column

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// How a program is started beside this one.
+struct Start {
+  std::vector<std::string> words;
+  std::filesystem::path folder;  ///< it runs in; empty: here
+  std::filesystem::path screen;  ///< file its words are added to; empty: our own screen
+  bool own_session =
+      false;           ///< Ctrl-C of the terminal does not reach it; it takes SIGTERM if we go
+  int kept_file = -1;  ///< a descriptor it inherits, besides its screen
+};
+
+/// Starts a program with no input; throws InputError when that is impossible. A program that cannot
+/// be found ends with exit code 127.
+pid_t start_program(const Start& start);
+
+/// True once `pid` has ended; then `code` is its exit code, 128 + signal if one ended it.
+bool has_ended(pid_t pid, int& code);
+
+/// All that `words` write to their screen, errors left out; empty when they fail.
+std::string output_of(const std::vector<std::string>& words);
+
+}  // namespace encased_column

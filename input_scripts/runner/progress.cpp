@@ -1,0 +1,100 @@
+#include "runner/progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+
+namespace encased_column {
+
+namespace {
+
+std::optional<double> number_of(const std::string& word)
+{
+  char* end = nullptr;
+  const double x = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end || !std::isfinite(x)) return std::nullopt;
+  return x;
+}
+
+/// A stage that ends where a ratio has fallen to its limit.
+class FallingRatio {
+ public:
+  Progress at(const std::string& stage, double from, double to, double ratio, double limit)
+  {
+    if (stage != stage_) {
+      stage_ = stage;
+      largest_ = 0.0;
+      best_ = 0.0;
+    }
+    largest_ = std::max(largest_, ratio);
+    if (ratio > 0.0 && limit > 0.0 && largest_ > limit)
+      best_ = std::max(best_, std::log(largest_ / ratio) / std::log(largest_ / limit));
+    best_ = std::clamp(best_, 0.0, 1.0);
+    return {from + (to - from) * best_, stage};
+  }
+
+ private:
+  std::string stage_;
+  double largest_ = 0.0, best_ = 0.0;
+};
+
+}  // namespace
+
+Progress read_progress(const std::string& text)
+{
+  Progress last;
+  FallingRatio falling;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    if (stream.eof()) break;  // the line that is being written
+    std::istringstream words(line);
+    std::vector<std::string> word;
+    for (std::string w; words >> w;) word.push_back(w);
+    if (word.size() < 2) continue;
+    const auto first = number_of(word[0]);
+    if (!first) continue;
+    const auto second = number_of(word[1]);
+    if (word.size() == 6 && second && word[3] == "ratio") {
+      const auto ratio = number_of(word[4]), limit = number_of(word[5]);
+      if (ratio && limit) last = falling.at(word[2], *first, *second, *ratio, *limit);
+    } else if (word.size() == 2 && !second)
+      last = {*first, word[1]};
+    last.fraction = std::clamp(last.fraction, 0.0, 1.0);
+  }
+  return last;
+}
+
+std::string in_time(double seconds)
+{
+  const long s = std::lround(std::clamp(seconds, 0.0, 1e9));
+  char text[40];
+  if (s >= 3600)
+    std::snprintf(text, sizeof text, "%ld h %02ld min", s / 3600, s % 3600 / 60);
+  else if (s >= 90)
+    std::snprintf(text, sizeof text, "%ld min", (s + 30) / 60);
+  else
+    std::snprintf(text, sizeof text, "%ld s", s);
+  return text;
+}
+
+std::string progress_line(const std::vector<RunningCase>& running, int ended, int all,
+                          double seconds, double brought)
+{
+  std::string line;
+  double done = ended;
+  for (const RunningCase& one : running) {
+    done += one.progress.fraction;
+    line += one.id + " " + one.progress.stage + " " +
+            std::to_string(static_cast<int>(100.0 * one.progress.fraction)) + " % | ";
+  }
+  const double whole = all > 0 ? done / all : 1.0;
+  line += std::to_string(static_cast<int>(100.0 * whole)) + " % done";
+  if (done - brought > 0.01 * all)
+    line += ", " + in_time(seconds * (all - done) / (done - brought)) + " left";
+  return line;
+}
+
+}  // namespace encased_column

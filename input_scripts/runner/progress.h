@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// How far a case has come.
+struct Progress {
+  double fraction = 0.0;  ///< of its whole work, 0 to 1
+  std::string stage = "starting";
+};
+
+/// Reads the lines a deck appends to its progress.txt, the last one that can be read counts:
+///
+///     0.42 shear                                   that fraction of the whole
+///     0.15 0.30 consolidation ratio 3e-3 1e-5      a stage from the first fraction to the second,
+///                                                  whose ratio of now falls to its limit
+///
+/// A ratio falls by orders of magnitude, so its stage moves with its logarithm, between the largest
+/// one since the stage began and the limit; and it never goes back, though a ratio may rise again.
+Progress read_progress(const std::string& text);
+
+/// "3 h 05 min", "12 min", "45 s".
+std::string in_time(double seconds);
+
+struct RunningCase {
+  std::string id;
+  Progress progress;
+};
+
+/// One line: each running case with stage and percent, percent of the whole, time left. `ended` of
+/// `all` cases have ended; the clock began `seconds` ago, when cases that went on had brought
+/// `brought` cases' worth of work with them.
+std::string progress_line(const std::vector<RunningCase>& running, int ended, int all,
+                          double seconds, double brought);
+
+}  // namespace encased_column

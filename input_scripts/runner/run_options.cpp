@@ -1,0 +1,87 @@
+#include "runner/run_options.h"
+
+#include "core/input_error.h"
+
+#include <CLI/CLI.hpp>
+
+namespace encased_column {
+
+Settings RunOptions::settings() const
+{
+  Settings settings;
+  for (const std::string& word : set) settings.push_back(read_setting("--set", word));
+  return settings;
+}
+
+int RunOptions::whole_number(const std::string& option, const std::string& word)
+{
+  if (word.empty()) return 0;
+  const bool whole = word.size() <= 4 && word.front() != '0' &&
+                     word.find_first_not_of("0123456789") == std::string::npos;
+  if (!whole)
+    throw InputError(option + " takes a whole number from 1, found '" + word +
+                     "', write for example '" + option + " 2'");
+  return std::stoi(word);
+}
+
+void RunOptions::check() const
+{
+  settings();
+  rank_count();
+  job_count();
+  if (!name.empty() && !is_folder_name(name))
+    throw InputError("--name takes letters, digits, '_', '-' and '.', found '" + name +
+                     "', write for example '--name trial_2'");
+  if (!name.empty() && !out.empty())
+    throw InputError("--out and --name both say where results go, found '" + out.string() +
+                     "' and '" + name + "', give one of them");
+}
+
+void add_run_options(CLI::App& command, RunOptions& options)
+{
+  const auto repeated = [&](const std::string& name, std::vector<std::string>& target,
+                            const std::string& text, const std::string& type) {
+    command.add_option(name, target, text)->allow_extra_args(false)->type_name(type);
+  };
+  command.add_flag("--list", options.list, "list the cases and the variables of their decks");
+  repeated("--case", options.cases,
+           "run this case (may be repeated; without it: the cases marked * in --list)", "ID");
+  command
+      .add_option("--resolution", options.resolution,
+                  "quick (default), standard or paper: how fine the grains are")
+      ->type_name("R");
+  repeated("--set", options.set, "change a variable of the deck (may be repeated)", "NAME=VALUE");
+  command
+      .add_option(
+          "--cases", options.cases_file,
+          "cases of your own, a CSV file with the columns of series.csv; without --case: those "
+          "it marks, or all of it")
+      ->type_name("FILE");
+  command
+      .add_option("--deck", options.deck,
+                  "a deck of your own for the cases; without --case: one case with its defaults")
+      ->type_name("FILE");
+  command
+      .add_option("--name", options.name,
+                  "results go to runs/NAME (default: default); its old results of these cases go")
+      ->type_name("NAME");
+  command.add_option("--out", options.out, "results go to this folder instead")->type_name("DIR");
+  command.add_flag("--keep", options.keep,
+                   "leave a case alone that has already finished with the same variables");
+  command.add_flag(
+      "--resume", options.resume,
+      "go on with cases that were stopped or killed, from their last restart file, given "
+      "the same options again; as --keep for those that have finished");
+  command
+      .add_option("--ranks", options.ranks,
+                  "MPI ranks per case (default: what finishes soonest on this machine)")
+      ->type_name("N");
+  command.add_option("--jobs", options.jobs, "cases at once (default: number of cores / ranks)")
+      ->type_name("N");
+  command.add_flag("--no-pictures", options.no_pictures, "the table only, no report");
+  command.footer(
+      "Ctrl-C stops cleanly: running cases write a restart file first; once more, and they are "
+      "killed.\nKilled cases have a restart file too, by default from every 5000 steps.");
+}
+
+}  // namespace encased_column

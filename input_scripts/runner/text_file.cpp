@@ -1,0 +1,87 @@
+#include "runner/text_file.h"
+
+#include "core/input_error.h"
+#include "output/whole_file.h"
+
+#include <fstream>
+
+namespace encased_column {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Bytes of the character that begins with `first`; 0 for a byte that begins none.
+int length_of_character(unsigned char first)
+{
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first < 0xe0) return 2;
+  if (first >= 0xe0 && first < 0xf0) return 3;
+  if (first >= 0xf0 && first < 0xf5) return 4;
+  return 0;
+}
+
+/// Text in UTF-8 without control characters but tabs and ends of lines.
+bool is_text(const std::string& text)
+{
+  for (std::size_t n = 0; n < text.size();) {
+    const auto first = static_cast<unsigned char>(text[n]);
+    if ((first < 0x20 && first != '\t' && first != '\n' && first != '\r') || first == 0x7f)
+      return false;
+    const int length = length_of_character(first);
+    if (length == 0 || n + static_cast<std::size_t>(length) > text.size()) return false;
+    for (int k = 1; k < length; ++k)
+      if ((static_cast<unsigned char>(text[n + static_cast<std::size_t>(k)]) & 0xc0) != 0x80)
+        return false;
+    n += static_cast<std::size_t>(length);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string read_text_file(const fs::path& file, const std::string& what, std::size_t most)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::string text;
+  if (stream && !fs::is_directory(file)) {
+    text.resize(most + 1);
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream.is_open() || fs::is_directory(file) || stream.bad())
+    throw InputError(what + " must be a file that can be read, found '" + shown(file) +
+                     "', check the path");
+  if (text.size() > most)
+    throw InputError(what + " must have " + std::to_string(most) +
+                     " bytes at most, found more in '" + shown(file) + "', give the right file");
+  if (!is_text(text))
+    throw InputError(what + " must be text in UTF-8, found other bytes in '" + shown(file) +
+                     "', save it as plain text");
+  return text;
+}
+
+void write_text_file(const fs::path& file, const std::string& text)
+{
+  if (!write_whole_file(file, text))
+    throw InputError("'" + shown(file) +
+                     "' must be a file that can be written, found that it cannot, free some space "
+                     "or mend the folder's rights");
+}
+
+void append_to_file(const fs::path& file, const std::string& text)
+{
+  std::ofstream stream(file, std::ios::app);
+  stream << text;
+}
+
+std::string shown(const fs::path& path)
+{
+  std::error_code failure;
+  const fs::path here = fs::current_path(failure), whole = fs::absolute(path, failure);
+  const fs::path way = whole.lexically_relative(here);
+  if (here == "/" || way.empty() || *way.begin() == "..") return whole.lexically_normal().string();
+  return way.string();
+}
+
+}  // namespace encased_column
