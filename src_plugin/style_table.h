@@ -23,6 +23,8 @@ struct Maker {
 struct Style {
   std::string name;
   Maker maker;
+  /// Takes contacts of pairs and walls for those of the linear law: refused with another.
+  bool reads_contact_law = false;
 };
 
 /// A fix is made and kept by the host; a command is made, run and gone.
