@@ -74,16 +74,12 @@ std::map<std::string, CommandCreator> all_commands;
 /// Ends the run where a fix of ours would take another contact law for its own.
 void check_contact_law(LAMMPS_NS::LAMMPS* lmp)
 {
-  const auto reads_law = [](const std::string& name) {
-    return std::any_of(style_table().begin(), style_table().end(), [&](const Style& style) {
-      return style.name == name && style.reads_contact_law;
-    });
-  };
   try {
     for (int n = 0; n < lmp->modify->nfix; ++n) {
       const LAMMPS_NS::Fix& fix = *lmp->modify->fix[n];
-      if (reads_law(fix.style))
-        require_linear_law(lmp, "'fix " + std::string(fix.id) + "' of style " + fix.style);
+      for (const Style& style : style_table())
+        if (style.reads_contact_law && style.maker.made(fix))
+          require_linear_law(lmp, "'fix " + std::string(fix.id) + "' of style " + style.name);
     }
   } catch (const InputError& problem) {
     lmp->error->all(FLERR, problem.what());

@@ -17,7 +17,8 @@ namespace encased_column {
 
 namespace {
 
-std::string log_path;  // on every rank, empty without a log
+// On every rank; empty where there is none or where every rank has it, as the terminal.
+std::string screen_path, log_path;
 
 /// The file behind an open stream, whatever name it was opened by.
 std::string path_of(FILE* stream)
@@ -44,26 +45,25 @@ void secure_output(LAMMPS_NS::LAMMPS* lmp)
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   if (lmp->screen != stdout) write_lines_at_once(lmp->screen);
   write_lines_at_once(lmp->logfile);
+  screen_path = lmp->screen && lmp->screen != stdout ? path_of(lmp->screen) : "";
   log_path = lmp->logfile ? path_of(lmp->logfile) : "";
-  int length = static_cast<int>(log_path.size());
-  MPI_Bcast(&length, 1, MPI_INT, 0, lmp->world);
-  log_path.resize(length);
-  MPI_Bcast(log_path.data(), length, MPI_CHAR, 0, lmp->world);
+  for (std::string* path : {&screen_path, &log_path}) {
+    int length = static_cast<int>(path->size());
+    MPI_Bcast(&length, 1, MPI_INT, 0, lmp->world);
+    path->resize(length);
+    MPI_Bcast(path->data(), length, MPI_CHAR, 0, lmp->world);
+  }
 }
 
 namespace {
 
-/// Into the log, from a rank that has not opened it too.
-void write_into_log(FILE* log, const std::string& line)
+/// To the open `stream`, or on a rank that has not opened it to the end of the file at `path`.
+void print_line(const std::string& line, FILE* stream, const std::string& path)
 {
-  if (log) {
-    std::fputs(line.c_str(), log);
-    return;
-  }
-  FILE* const file = log_path.empty() ? nullptr : std::fopen(log_path.c_str(), "a");
-  if (!file) return;
-  std::fputs(line.c_str(), file);
-  std::fclose(file);
+  FILE* const out = stream || path.empty() ? stream : std::fopen(path.c_str(), "a");
+  if (!out) return;
+  std::fputs(line.c_str(), out);
+  if (!stream) std::fclose(out);
 }
 
 }  // namespace
@@ -76,9 +76,9 @@ void LAMMPS_NS::Error::one(const char* file, int line, const char* reason)
   MPI_Comm_rank(world, &rank);
   const std::string text = "ERROR on proc " + std::to_string(rank) + ": " + reason + " (" + file +
                            ":" + std::to_string(line) + ")\n";
-  // Other ranks than the first have no screen where it is a file.
-  std::fputs(text.c_str(), screen ? screen : stderr);
-  encased_column::write_into_log(logfile, text);
+  using namespace encased_column;
+  print_line(text, screen, screen_path);
+  print_line(text, logfile, log_path);
   MPI_Abort(world, 1);
 }
 
