@@ -1,7 +1,12 @@
 #include "plugin_entry.h"
 
+#include "core/input_error.h"
 #include "dynamics/fix_gravity_of_motion.h"
+#include "host/contact_law.h"
 #include "host/fix_stop_request.h"
+#include "host/one_rank_errors.h"
+#include "host/renumber_grains.h"
+#include "restart/restart_file.h"
 #include "shell/fix_wall_of_sleeves.h"
 #include "style_table.h"
 
@@ -9,14 +14,15 @@
 #include "lammps.h"
 #include "modify.h"
 
+#include <algorithm>
 #include <map>
 
 namespace encased_column {
 
 namespace {
 
-// The maps of styles are private in the host. Explicit instantiation may name private members,
-// so these two reach them without a change to the host.
+// The maps of styles and the word of a command are private in the host. Explicit instantiation may
+// name private members, so these three reach them without a change to the host.
 template <typename Tag, typename Tag::type member>
 struct Reveal {
   friend typename Tag::type reveal(Tag) { return member; }
@@ -33,6 +39,12 @@ struct CommandMap {
   friend type reveal(CommandMap);
 };
 template struct Reveal<CommandMap, &LAMMPS_NS::Input::command_map>;
+
+struct CommandWord {
+  using type = char* LAMMPS_NS::Input::*;
+  friend type reveal(CommandWord);
+};
+template struct Reveal<CommandWord, &LAMMPS_NS::Input::command>;
 
 std::map<std::string, CommandCreator>& commands_of(LAMMPS_NS::LAMMPS* lmp)
 {
@@ -63,17 +75,71 @@ void register_fixes(LAMMPS_NS::LAMMPS* lmp)
       fixes[style.name] = *create;
 }
 
-// `clear` gives the deck a new Modify that knows only the host's fixes. Ours need a box, and a box
-// comes from one of these three commands, so each of them enters our fixes before it runs.
-std::map<std::string, CommandCreator> host_box_commands;
+/// Every command of the map, the host's and ours, by the deck's word for it.
+std::map<std::string, CommandCreator> all_commands;
 
-template <int which>
-void make_box(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+/// Ends the run where a fix of ours would take another contact law for its own.
+void check_contact_law(LAMMPS_NS::LAMMPS* lmp)
 {
-  static const char* const names[] = {"create_box", "read_data", "read_restart"};
-  register_fixes(lmp);
-  host_box_commands.at(names[which])(lmp, narg, arg);
-  FixStopRequest::add_to(lmp);
+  try {
+    for (int n = 0; n < lmp->modify->nfix; ++n) {
+      const LAMMPS_NS::Fix& fix = *lmp->modify->fix[n];
+      for (const Style& style : style_table())
+        if (style.reads_contact_law && style.maker.made(fix))
+          require_linear_law(lmp, "'fix " + std::string(fix.id) + "' of style " + style.name);
+    }
+  } catch (const InputError& problem) {
+    lmp->error->all(FLERR, problem.what());
+  }
+}
+
+/// Reads the name in `word` as the host will, and puts it right for a `*`.
+void check_restart(LAMMPS_NS::LAMMPS* lmp, char*& word)
+{
+  static std::string file;  // the host reads it after this
+  std::string problem;
+  if (lmp->comm->me == 0) {
+    try {
+      file = restart_file_of(word);
+      check_restart_file(file);
+    } catch (const InputError& found) {
+      problem = found.what();
+    }
+  }
+  for (std::string* text : {&file, &problem}) {
+    int length = static_cast<int>(text->size());
+    MPI_Bcast(&length, 1, MPI_INT, 0, lmp->world);
+    text->resize(length);
+    MPI_Bcast(text->data(), length, MPI_CHAR, 0, lmp->world);
+  }
+  if (!problem.empty()) lmp->error->all(FLERR, problem.c_str());
+  word = file.data();
+}
+
+bool is_one_of(const std::string& word, std::initializer_list<const char*> words)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Stands for every command: sees to what must hold before it, then lets it run.
+void run_command(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+{
+  const std::string word = lmp->input->*reveal(CommandWord());
+  const CommandCreator run = all_commands.at(word);
+  secure_output(lmp);
+  // `clear` gives the deck a new Modify that knows only the host's fixes. Ours need a box, and a
+  // box comes from one of these.
+  const bool makes_box = is_one_of(word, {"create_box", "read_data", "read_restart"});
+  if (makes_box) register_fixes(lmp);
+  if (is_one_of(word, {"run", "run_time", "minimize", "solve"}) && lmp->domain->box_exist)
+    check_contact_law(lmp);
+  if (word == "read_restart" && narg == 1 && !lmp->domain->box_exist) check_restart(lmp, arg[0]);
+  if (word == "replicate") refuse_replicated_contacts(lmp);
+  if (word == "delete_atoms" && narg > 1 && lmp->domain->box_exist)
+    delete_grains(run, lmp, narg, arg);
+  else
+    run(lmp, narg, arg);
+  if (makes_box) FixStopRequest::add_to(lmp);
 }
 
 }  // namespace
@@ -81,19 +147,16 @@ void make_box(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 void register_styles(LAMMPS_NS::LAMMPS* lmp)
 {
   auto& commands = commands_of(lmp);
-  if (host_box_commands.empty()) {
+  if (all_commands.empty()) {
     register_contact_models();
-    for (const char* name : {"create_box", "read_data", "read_restart"})
-      host_box_commands[name] = commands.at(name);
+    all_commands = commands;
+    for (const Style& style : style_table())
+      if (const auto* create = std::get_if<CommandCreator>(&style.maker.create))
+        all_commands[style.name] = *create;
   }
-  commands["create_box"] = make_box<0>;
-  commands["read_data"] = make_box<1>;
-  commands["read_restart"] = make_box<2>;
-
+  for (const auto& command : all_commands) commands[command.first] = run_command;
   register_fixes(lmp);
-  for (const Style& style : style_table())
-    if (const auto* create = std::get_if<CommandCreator>(&style.maker.create))
-      commands[style.name] = *create;
+  secure_output(lmp);
 }
 
 }  // namespace encased_column

@@ -25,24 +25,25 @@ namespace encased_column {
 
 const std::vector<Style>& style_table()
 {
+  constexpr bool reads_contact_law = true;
   static const std::vector<Style> table{
       {"create_packing", make<CreatePackingCommand>()},
       {"create_wall_mesh", make<CreateWallMeshCommand>()},
       {"grow/radius", make<FixGrowRadius>()},
-      {"measure/sphere", make<FixMeasureSphere>()},
-      {"mesh/surface/shell", make<FixMeshSurfaceShell>()},
-      {"motion", make<FixMotion>()},
+      {"measure/sphere", make<FixMeasureSphere>(), reads_contact_law},
+      {"mesh/surface/shell", make<FixMeshSurfaceShell>(), reads_contact_law},
+      {"motion", make<FixMotion>(), reads_contact_law},
       {"output/collection", make<FixOutputCollection>()},
-      {"output/contacts", make<FixOutputContacts>()},
-      {"output/grains", make<FixOutputGrains>()},
+      {"output/contacts", make<FixOutputContacts>(), reads_contact_law},
+      {"output/grains", make<FixOutputGrains>(), reads_contact_law},
       {"output/restart", make<FixOutputRestart>()},
       {"output/sleeve", make<FixOutputSleeve>()},
       {"record_variables", make<RecordVariablesCommand>()},
       {"require", make<RequireCommand>()},
-      {"servo/cylinder", make<FixServoCylinder>()},
-      {"servo/platen", make<FixServoPlaten>()},
+      {"servo/cylinder", make<FixServoCylinder>(), reads_contact_law},
+      {"servo/platen", make<FixServoPlaten>(), reads_contact_law},
       {"solve", make<SolveCommand>()},
-      {"specimen/history", make<FixSpecimenHistory>()},
+      {"specimen/history", make<FixSpecimenHistory>(), reads_contact_law},
   };
   return table;
 }

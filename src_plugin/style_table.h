@@ -13,16 +13,20 @@ namespace encased_column {
 using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
 using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
 
-/// How the host makes an object of a style, and the keywords it reads.
+/// How the host makes an object of a style, the keywords it reads, and how to tell its fixes: the
+/// host may know one by another name.
 struct Maker {
   std::variant<FixCreator, CommandCreator> create;
   const KeywordTable* keywords;
+  bool (*made)(const LAMMPS_NS::Fix& fix);
 };
 
 /// One style of the plugin: the name a deck writes and what stands behind it.
 struct Style {
   std::string name;
   Maker maker;
+  /// Takes contacts of pairs and walls for those of the linear law: refused with another.
+  bool reads_contact_law = false;
 };
 
 /// A fix is made and kept by the host; a command is made, run and gone.
@@ -33,11 +37,12 @@ Maker make()
     return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
               return new T(lmp, narg, arg);
             }),
-            &T::keywords};
+            &T::keywords,
+            [](const LAMMPS_NS::Fix& fix) { return dynamic_cast<const T*>(&fix) != nullptr; }};
   } else {
     return {CommandCreator(
                 [](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) { T(lmp).command(narg, arg); }),
-            &T::keywords};
+            &T::keywords, [](const LAMMPS_NS::Fix&) { return false; }};
   }
 }
 

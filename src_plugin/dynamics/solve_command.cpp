@@ -71,26 +71,30 @@ void SolveCommand::command(int narg, char** arg)
   }
 
   // As the host's `run`, in pieces of `every` steps with one set-up.
+  const LAMMPS_NS::bigint end = update->ntimestep + max;
   update->whichflag = 1;
   update->nsteps = static_cast<int>(max);
-  update->firststep = update->ntimestep;
-  update->laststep = update->ntimestep + max;
-  update->beginstep = update->firststep;
-  update->endstep = update->laststep;
+  update->firststep = update->beginstep = update->ntimestep;
+  update->laststep = update->endstep = end;
   lmp->init();
   update->integrate->setup();
   timer->init();
   timer->barrier_start(TIME_LOOP);
   long done = 0;
   double ratio = 1.0;
-  while (done < max && !is_stopped()) {
+  bool is_reached = false;
+  while (done < max && !is_stopped() && !is_reached) {
     // Pieces end where the motion has just weighed the grains.
     const long piece = std::min(every - static_cast<long>(update->ntimestep % every), max - done);
-    update->integrate->run(static_cast<int>(piece));
+    run_piece(piece);
     done += piece;
     const Equilibrium& e = motion->equilibrium();
     ratio = which == "average" ? e.average : e.maximum;
-    if (ratio <= limit && done >= least) break;
+    is_reached = ratio <= limit && done >= least;
+    if (is_reached)
+      write_last_output();
+    else
+      go_on(end);
   }
   timer->barrier_stop(TIME_LOOP);
   update->integrate->cleanup();
@@ -104,6 +108,35 @@ void SolveCommand::command(int narg, char** arg)
                        std::to_string(done) + " steps, found " + in_words(ratio) +
                        ", write a larger 'max' or look at what still moves")
                           .c_str());
+}
+
+// Whether a step was the last is known only after it: the one at the end of a piece counts as the
+// last while it is made, so that those who write or measure at the end of a run are ready.
+void SolveCommand::run_piece(long steps)
+{
+  if (steps > 1) update->integrate->run(static_cast<int>(steps - 1));
+  if (is_stopped()) return;
+  update->laststep = update->ntimestep + 1;
+  modify->addstep_compute_all(update->laststep);
+  update->integrate->run(1);
+}
+
+/// The last line of the host's table, and what it looks at for it, such as grains that left.
+void SolveCommand::write_last_output()
+{
+  if (output->last_thermo == update->ntimestep) return;
+  output->next_thermo = output->next = update->ntimestep;
+  output->write(update->ntimestep);
+}
+
+/// The step that was made was not the last one: what was planned for it comes at its own time.
+void SolveCommand::go_on(LAMMPS_NS::bigint end)
+{
+  update->laststep = end;
+  if (update->ntimestep == end || output->next > update->ntimestep) return;
+  ++update->ntimestep;
+  output->reset_timestep(update->ntimestep);
+  --update->ntimestep;
 }
 
 void SolveCommand::report(double ratio, double limit, const std::string& which, long steps) const

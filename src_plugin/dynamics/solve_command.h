@@ -16,6 +16,9 @@ class SolveCommand : private LAMMPS_NS::Pointers {
   void command(int narg, char** arg);
 
  private:
+  void run_piece(long steps);
+  void write_last_output();
+  void go_on(LAMMPS_NS::bigint end);
   void report(double ratio, double limit, const std::string& which, long steps) const;
 };
 
