@@ -53,19 +53,38 @@ template <bool dashpots>
 
     const double old = seen_[n] < step - 1.0 ? 0.0 : 1.0;  // one that was not there starts anew
     const double sx = old * spring_[0][n], sy = old * spring_[1][n], sz = old * spring_[2][n];
-    double tx = sx + vx * way, ty = sy + vy * way, tz = sz + vz * way;
-    const double along = moves * (tx * nx + ty * ny + tz * nz);
-    tx -= along * nx;
-    ty -= along * ny;
-    tz -= along * nz;
 
+    // laid_into_plane()
+    const double along = moves * (sx * nx + sy * ny + sz * nz);
+    const double square = sx * sx + sy * sy + sz * sz + no_square;
+    const double least = square / (longest_stretch * longest_stretch);
+    const double left = square - along * along;
+    const double stretch = std::sqrt(square / (left > least ? left : least));
+    const double px = stretch * (sx - along * nx), py = stretch * (sy - along * ny),
+                 pz = stretch * (sz - along * nz);
+
+    // half_turn(); the quarter of the mean of both spins
+    const double twist = spin_[0][n] * nx + spin_[1][n] * ny + spin_[2][n] * nz;
+    const double free = 0.125 * twist * way;
+    const double below = free < largest_quarter ? free : largest_quarter;
+    const double quarter = below > -largest_quarter ? below : -largest_quarter;
+    const double scale = 1.0 / (1.0 + quarter * quarter);
+    const double cosine = (1.0 - quarter * quarter) * scale, sine = 2.0 * quarter * scale;
+    const double bx = cosine * px + sine * (ny * pz - nz * py),
+                 by = cosine * py + sine * (nz * px - nx * pz),
+                 bz = cosine * pz + sine * (nx * py - ny * px);
+
+    const double tx = bx + vx * way, ty = by + vy * way, tz = bz + vz * way;
     const double elastic = k_t * std::sqrt(tx * tx + ty * ty + tz * tz);
     const double limit = friction_[n] * pressing * slack;
     const double part = elastic > limit ? limit / elastic : 1.0;
     part_[n] = part;
-    const double kx = part * tx, ky = part * ty, kz = part * tz;
+    const double gx = part * tx, gy = part * ty, gz = part * tz;
     loss += share_[n] * 0.5 * k_t *
-            ((sx + kx) * (tx - kx) + (sy + ky) * (ty - ky) + (sz + kz) * (tz - kz));
+            ((bx + gx) * (tx - gx) + (by + gy) * (ty - gy) + (bz + gz) * (tz - gz));
+    const double kx = cosine * gx + sine * (ny * gz - nz * gy),
+                 ky = cosine * gy + sine * (nz * gx - nx * gz),
+                 kz = cosine * gz + sine * (nx * gy - ny * gx);
     // As sums: a choice by `advance` keeps the compiler from the vector units.
     spring_[0][n] = moves * kx + stays * tx;
     spring_[1][n] = moves * ky + stays * ty;

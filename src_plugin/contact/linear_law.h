@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/turning_spring.h"
 #include "core/constants.h"
 #include "core/vec3.h"
 
@@ -37,6 +38,8 @@ inline ContactStiffness linear_stiffness(const ContactMaterial& m, double r, dou
 struct ContactVelocity {
   double closing;  ///< positive while the bodies approach
   Vec3 slip;       ///< in the contact plane
+  /// With which the contact turns about its normal [rad/s]: the mean of the bodies' spins.
+  double twist = 0.0;
 };
 
 /// Relative velocity of two bodies with velocities `v` [m/s], spins `w` [rad/s] and lever arms `c`
@@ -46,7 +49,8 @@ inline ContactVelocity contact_velocity(const Vec3& n, const Vec3& v_i, const Ve
 {
   const Vec3 relative = v_i - v_j;
   const double closing = relative.dot(n);
-  return {closing, relative - closing * n + (c_i * w_i + c_j * w_j).cross(n)};
+  return {closing, relative - closing * n + (c_i * w_i + c_j * w_j).cross(n),
+          0.5 * (w_i + w_j).dot(n)};
 }
 
 /// Mass [kg] with which two grains meet.
@@ -79,13 +83,14 @@ inline double slider_slack(bool advance)
 
 /// Linear contact: springs, dashpots 2 beta sqrt(m k) and Coulomb's slider on the shear spring.
 ///
-/// `spring` [m] is the elongation of the shear spring; with `advance` it is stretched by the slip
-/// of the step `dt` [s], turned into the contact plane, and shortened where the contact slides.
-/// Without, the forces are those of the last step, to the last bit. `overlap` > 0 [m], `mass` [kg]
-/// effective mass of the pair, `n` the unit normal (either sense). The loss of the slider is the
-/// mean of the shear force before and after, times the slip the spring gave up: with it the
-/// trapezoidal work of the contact force is exactly stored + lost. Source: Itasca PFC, linear
-/// model; Cundall and Strack (1979), Geotechnique 29, 47-65.
+/// `spring` [m] is the elongation of the shear spring; with `advance` it is laid into the contact
+/// plane, turned with the contact about the normal, stretched in the middle of that turn by the
+/// slip of the step `dt` [s], and shortened where the contact slides. Without, the forces are those
+/// of the last step, to the last bit. `overlap` > 0 [m], `mass` [kg] effective mass of the pair,
+/// `n` the unit normal (either sense). The loss of the slider is the mean of the shear force before
+/// and after, times the slip the spring gave up, all in the middle of the turn: with it the
+/// trapezoidal work of the contact force that turns along is exactly stored + lost. Source: Itasca
+/// PFC, linear model; Cundall and Strack (1979), Geotechnique 29, 47-65.
 [[gnu::always_inline]] inline ContactForce linear_contact(const ContactMaterial& m,
                                                           const ContactStiffness& k, double overlap,
                                                           double mass, const ContactVelocity& v,
@@ -96,31 +101,32 @@ inline double slider_slack(bool advance)
   const double elastic = k.normal * overlap;
   const double normal = std::max(0.0, elastic + c_normal * v.closing);
 
-  Vec3 trial = spring;
+  Turn half;
+  Vec3 before = spring;
   if (advance) {
-    trial += v.slip * dt;
-    trial -= trial.dot(n) * n;
+    half = half_turn(v.twist * dt);
+    before = half.of(laid_into_plane(spring, n), n);
   }
+  Vec3 trial = before;
+  if (advance) trial += v.slip * dt;
 
   const double limit = m.friction * normal * slider_slack(advance);
   const double length = trial.norm();
-  ContactForce force{normal, -k.shear * trial, k.shear * length > limit, 0.0, 0.0};
+  ContactForce force{normal, Vec3::Zero(), k.shear * length > limit, 0.0, 0.0};
+  const Vec3 kept = force.sliding ? Vec3(trial * (limit / (k.shear * length))) : trial;
+  const Vec3 turned = half.of(kept, n);
+  force.shear = -k.shear * turned;
   if (force.sliding) {
-    const Vec3 kept = trial * (limit / (k.shear * length));
-    force.shear = -k.shear * kept;
-    if (advance) {
-      force.friction_loss = 0.5 * k.shear * (spring + kept).dot(trial - kept);
-      spring = kept;
-    }
+    if (advance) force.friction_loss = 0.5 * k.shear * (before + kept).dot(trial - kept);
   } else {
     const double c_shear = dashpot(m.damping_shear, mass, k.shear);
     force.shear -= c_shear * v.slip;
-    if (advance) {
-      force.dashpot_loss = c_shear * v.slip.squaredNorm() * dt;
-      spring = trial;
-    }
+    if (advance) force.dashpot_loss = c_shear * v.slip.squaredNorm() * dt;
   }
-  if (advance) force.dashpot_loss += (normal - elastic) * v.closing * dt;
+  if (advance) {
+    force.dashpot_loss += (normal - elastic) * v.closing * dt;
+    spring = turned;
+  }
   return force;
 }
 

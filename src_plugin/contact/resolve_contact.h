@@ -92,7 +92,7 @@ template <bool rolling>
     const double r = wall ? t.i.radius : rolling_radius(t.i.radius, t.j.radius);
     action.rolling_loss =
         advance_rolling_torque(k.shear, material.rolling_friction, r, f.normal, t.i.spin - t.j.spin,
-                               t.normal, advance ? dt : 0.0, torque);
+                               velocity.twist, t.normal, advance ? dt : 0.0, torque);
     action.stored += rolling_energy(k.shear, r, torque);
     if (advance) kept_torque = torque;
     action.moment_i -= torque;
