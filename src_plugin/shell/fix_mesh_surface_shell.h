@@ -67,6 +67,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   void read_changeable(const Options& options);
   void read_pressure(const Options& options);
   void place_supports();
+  void restore(class RestartBlock& block);
 
   void take_loads(bool advance_memory);
   void press_grains(bool advance_memory);
