@@ -14,7 +14,7 @@ namespace {
 
 struct Stage {
   std::string line;  ///< of the deck that ends it
-  int steps;         ///< the test is killed so many steps before that line
+  int steps;         ///< the test is killed so many steps after its begin
 };
 
 /// A small test that nothing stopped, with a restart file every 700 steps: not where the host sorts
@@ -92,6 +92,17 @@ void expect_the_same_end_from_every_stage(const std::string& deck,
 }
 
 }  // namespace
+
+// The first file is that of the state before the first step, while the fixes are being set up.
+TEST(ResumedTriaxial, EndsTheSameFromTheFileOfTheFirstStep)
+{
+  const WholeTest whole(plain_triaxial_deck());
+  ASSERT_EQ(whole.failure(), "");
+  const TemporaryFolder folder;
+  const Outcome outcome = whole.kill_and_go_on(folder, {stages[0].line, 400}, 1);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  whole.expect_the_same_results(folder, {"history.csv", "grains/grains.pvd"});
+}
 
 TEST(ResumedTriaxial, EndsTheSameFromEveryStage)
 {
