@@ -77,8 +77,19 @@ TEST(Sleeve, RefusesAMeshWithAHole)
 TEST(Sleeve, RefusesAnInvertedFacet)
 {
   expect_no_mesh([](auto& triangles) { std::swap(triangles[11][0], triangles[11][1]); },
-                 "neighbouring facets of the mesh must be oriented alike and an edge joins two at "
-                 "most, found facets");
+                 "neighbouring facets of the mesh must be oriented alike, found facets");
+}
+
+TEST(Sleeve, RefusesADoubleFacet)
+{
+  expect_no_mesh([](auto& triangles) { triangles.push_back(triangles[11]); },
+                 "every facet of the mesh must stand once, found facet 24");
+}
+
+TEST(Sleeve, RefusesMoreFacetsThanAMachineHolds)
+{
+  expect_no_sleeve(" cylinder 0.05 0 0.2 edge 1e-6" + platens + material,
+                   "edge of the sleeve must leave 1000000 facets at most, found 1e-06");
 }
 
 TEST(Sleeve, RefusesAMeshThatLies)
