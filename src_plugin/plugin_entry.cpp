@@ -8,11 +8,15 @@
 #include "host/renumber_grains.h"
 #include "restart/restart_file.h"
 #include "shell/fix_wall_of_sleeves.h"
+#include "shell/refuse_as_mesh.h"
 #include "style_table.h"
 
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
+#include "output.h"
+
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <map>
@@ -63,9 +67,23 @@ LAMMPS_NS::Fix* make_stop_request(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   return new FixStopRequest(lmp, narg, arg);
 }
 
+std::map<std::string, FixCreator> host_mesh_takers;
+
+LAMMPS_NS::Fix* make_mesh_taker(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+{
+  refuse_sleeve_as_mesh(lmp, narg, arg);
+  return host_mesh_takers.at(arg[2])(lmp, narg, arg);
+}
+
 void register_fixes(LAMMPS_NS::LAMMPS* lmp)
 {
   auto& fixes = *(lmp->modify->*reveal(FixMap()));
+  for (const std::string& style : fixes_that_take_meshes()) {
+    const auto known = fixes.find(style);
+    if (known == fixes.end() || known->second == make_mesh_taker) continue;
+    host_mesh_takers[style] = known->second;
+    known->second = make_mesh_taker;
+  }
   if (fixes.at("wall/gran") != make_any_wall) host_wall = fixes.at("wall/gran");
   fixes["wall/gran"] = make_any_wall;
   fixes["gravity"] = FixGravityOfMotion::make;
@@ -160,3 +178,14 @@ void register_styles(LAMMPS_NS::LAMMPS* lmp)
 }
 
 }  // namespace encased_column
+
+// No map holds the styles of dumps. The host calls this function by its exported name, and the one
+// of the library that is linked first is called: ours looks at the words and hands on.
+void LAMMPS_NS::Output::add_dump(int narg, char** arg)
+{
+  using AddDump = void (*)(Output*, int, char**);
+  static const auto host = reinterpret_cast<AddDump>(
+      dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6Output8add_dumpEiPPc"));  // its mangled name
+  encased_column::refuse_sleeve_as_mesh(lmp, narg, arg);
+  host(this, narg, arg);
+}

@@ -147,8 +147,13 @@ bool FixMotion::Rule::operator==(const Rule& other) const
 // is no reason to look anew. The host sets fixes up in the deck's order, and walls that stand
 // behind this fix add their contacts and forces only then: what `run 0` shows is taken here, what
 // the first step uses is taken at its start.
+//
+// The host calls set_arrays() at the first set-up of a new fix, but not of one that comes from a
+// restart file: there the file says so.
 void FixMotion::setup(int)
 {
+  if (restored_made_grains_) made_grains_ = true;
+  restored_made_grains_ = false;
   if (anew_) look_anew();
 }
 

@@ -88,7 +88,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
     double time, loss, largest_factor, stable_step;
     Equilibrium equilibrium;
     Rule rule;
-    bool anew;
+    bool anew, made_grains;
   };
 
   Rule rule_now() const { return {scaled_step_, safety_, stiffest_material_, rolling_}; }
@@ -115,6 +115,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   bool anew_ = true;
   bool made_grains_ = false;        ///< on this rank, since forces were last made
   bool weighs_new_grains_ = false;  ///< in this step, on all ranks
+  bool restored_made_grains_ = false;
   Rule rule_{};
   std::optional<double> time_of_restart_;  ///< until the first run after it [s]
   std::vector<GrainStiffness> stiffness_;

@@ -62,10 +62,10 @@ void FixMotion::write_restart(FILE* file)
   finish_step();
   save_pair_history(lmp);
   const double loss = damping_loss();
-  const bool anew = max_over_ranks(anew_ || made_grains_ ? 1.0 : 0.0, world) > 0.0;
+  const bool made_grains = max_over_ranks(made_grains_ ? 1.0 : 0.0, world) > 0.0;
   if (comm->me != 0) return;
-  const Saved saved{
-      update->get_cur_time(), loss, largest_factor_, stable_step_, equilibrium_, rule_, anew};
+  const Saved saved{update->get_cur_time(), loss,  largest_factor_,      stable_step_,
+                    equilibrium_,           rule_, anew_ || made_grains, made_grains};
   const int size = sizeof(Saved);
   fwrite(&size, sizeof(int), 1, file);
   fwrite(&saved, sizeof(Saved), 1, file);
@@ -83,6 +83,7 @@ void FixMotion::restart(char* buffer)
   rule_ = saved.rule;
   anew_ = saved.anew;
   made_grains_ = false;  // none of those in the file is new
+  restored_made_grains_ = saved.made_grains;
 }
 
 }  // namespace encased_column

@@ -80,14 +80,18 @@ void FixMeasureSphere::write_restart(FILE* file)
 
 void FixMeasureSphere::restart(char* buffer)
 {
-  RestartBlock block(buffer);
-  clock_.restart(block.take());
-  for (std::vector<double>& row : rows_) block.take(row.data(), row.size());
-  sampled_ = true;
-  if (comm->me != 0) return;
-  if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop(file_.path());
-  if (series_ && !series_->restore(block.text()))
-    stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+  try {
+    RestartBlock block(buffer);
+    clock_.restart(block.take());
+    for (std::vector<double>& row : rows_) block.take(row.data(), row.size());
+    sampled_ = true;
+    if (comm->me != 0) return;
+    if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop(file_.path());
+    if (series_ && !series_->restore(block.text()))
+      stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column

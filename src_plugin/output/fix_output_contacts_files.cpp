@@ -55,16 +55,20 @@ void FixOutputContacts::write_restart(FILE* file)
 
 void FixOutputContacts::restart(char* buffer)
 {
-  RestartBlock block(buffer);
-  clock_.restart(block.take());
-  std::vector<double> row(static_cast<std::size_t>(block.take()));
-  block.take(row.data(), row.size());
-  if (row.size() == row_.size()) row_ = row;
-  written_ = true;
-  if (comm->me != 0) return;
-  if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop(file_.path());
-  if (!series_->restore(block.text()))
-    stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+  try {
+    RestartBlock block(buffer);
+    clock_.restart(block.take());
+    std::vector<double> row(static_cast<std::size_t>(block.take()));
+    block.take(row.data(), row.size());
+    if (row.size() == row_.size()) row_ = row;
+    written_ = true;
+    if (comm->me != 0) return;
+    if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop(file_.path());
+    if (!series_->restore(block.text()))
+      stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column

@@ -62,11 +62,15 @@ void FixOutputGrains::write_restart(FILE* file)
 
 void FixOutputGrains::restart(char* buffer)
 {
-  RestartBlock block(buffer);
-  clock_.restart(block.take());
-  written_ = *block.text() != '\0';
-  if (comm->me == 0 && !series_->restore(block.text()))
-    stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+  try {
+    RestartBlock block(buffer);
+    clock_.restart(block.take());
+    written_ = *block.text() != '\0';
+    if (comm->me == 0 && !series_->restore(block.text()))
+      stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 double FixOutputGrains::memory_usage()

@@ -134,17 +134,21 @@ void FixOutputSleeve::write_restart(FILE* file)
 
 void FixOutputSleeve::restart(char* buffer)
 {
-  RestartBlock block(buffer);
-  clock_.restart(block.take());
-  height_before_ = block.take();
-  before_.resize(static_cast<std::size_t>(block.take()));
-  for (Vec3& node : before_) block.take(node.data(), 3);
-  if (comm->me != 0) return;
-  if (!series_->restore(block.text()))
-    stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
-  const double step = static_cast<double>(update->ntimestep);
-  if (!profile_.go_back_to(step)) stop(profile_.path());
-  if (!curves_.go_back_to(step)) stop(curves_.path());
+  try {
+    RestartBlock block(buffer);
+    clock_.restart(block.take());
+    height_before_ = block.take();
+    before_.resize(static_cast<std::size_t>(block.take()));
+    for (Vec3& node : before_) block.take(node.data(), 3);
+    if (comm->me != 0) return;
+    if (!series_->restore(block.text()))
+      stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+    const double step = static_cast<double>(update->ntimestep);
+    if (!profile_.go_back_to(step)) stop(profile_.path());
+    if (!curves_.go_back_to(step)) stop(curves_.path());
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column

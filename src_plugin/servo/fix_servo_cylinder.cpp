@@ -32,6 +32,19 @@ FixServoCylinder::FixServoCylinder(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   }
 }
 
+// The same on every rank.
+void FixServoCylinder::advance(double distance)
+{
+  cylinder_.advance(distance);
+  if (cylinder_.radius <= 0.0)
+    error->fix_error(FLERR, this,
+                     ("the cylinder must stay open, found it closed to a radius of 0 at step " +
+                      std::to_string(update->ntimestep) +
+                      " with no grains to hold it, stop it before by 'fix_modify " + id +
+                      " hold' or write a smaller 'velocity' or 'speed_limit'")
+                         .c_str());
+}
+
 void FixServoCylinder::find_partners()
 {
   for (int n = 0; n < 2; ++n)

@@ -36,8 +36,11 @@ void RigidWall::read_wall(const Options& options)
   drive_.read(options, update->ntimestep, stress_now());
 }
 
+// A wall that comes from a restart file feels nothing before its set-up: until then, the file
+// knows.
 double RigidWall::stress_now() const
 {
+  if (!is_set_up_) return restored_stress_;
   return load().stiffness > 0.0 && has_partners() ? load().force / loaded_area() : 0.0;
 }
 
@@ -65,6 +68,7 @@ void RigidWall::setup(int flags)
   advance_memory_ = false;
   post_force(flags);
   advance_memory_ = true;
+  is_set_up_ = true;
 }
 
 // Most steps of a wall that goes its own way need no sum, and no rank then waits for another.
@@ -144,6 +148,7 @@ void RigidWall::restart(char* buffer)
   std::memcpy(&saved, buffer, sizeof(Saved));
   work_ = comm->me == 0 ? saved.work : 0.0;
   speed_ = saved.speed;
+  restored_stress_ = saved.stress;
   set_position(saved.position);
   drive_ = saved.drive;
   drive_.read(on_fix_line_, update->ntimestep, saved.stress);

@@ -73,6 +73,8 @@ class RigidWall : public ContactMemoryFix {
   double stress_now() const;
   void check_reach();
 
+  bool is_set_up_ = false;
+  double restored_stress_ = 0.0;  ///< [Pa]
   Options on_fix_line_;
   WallDrive drive_;
   ContactDesk desk_;

@@ -30,8 +30,13 @@ CylinderCounts cylinder_counts(const TubeShape& shape)
     throw InputError("edge of the sleeve must not exceed its radius " + in_words(shape.radius) +
                      " m, found " + in_words(shape.edge) + ": write a shorter edge");
   const double row = shape.edge * std::sqrt(0.75);  // height of an equilateral facet
-  const int around = static_cast<int>(std::lround(2.0 * pi * shape.radius / shape.edge));
-  return {around, 1 + std::max(1, static_cast<int>(std::lround(shape.height / row)))};
+  const double around = std::round(2.0 * pi * shape.radius / shape.edge);
+  const double rows = std::max(1.0, std::round(shape.height / row));
+  if (const double facets = 2.0 * around * rows; !(facets <= static_cast<double>(most_facets)))
+    throw InputError("edge of the sleeve must leave " + std::to_string(most_facets) +
+                     " facets at most, found " + in_words(shape.edge) + " with " +
+                     in_words(facets) + ": write a longer edge, or radius and height in m");
+  return {static_cast<int>(around), 1 + static_cast<int>(rows)};
 }
 
 SurfaceMesh cylinder_mesh(const TubeShape& shape)

@@ -31,6 +31,8 @@ void FacetGrid::sort(const std::vector<Facet>& facet, const std::vector<Vec3>& p
   // Cubes about as large as a facet; larger ones where a few small facets span a large space.
   const Vec3 extent = high - corner_;
   size_ = std::max(2.0 * largest_radius_, std::cbrt(extent.prod() / most_cells));
+  const auto cells_along = [&](int a) { return 1.0 + std::floor(extent(a) / size_); };
+  while (cells_along(0) * cells_along(1) * cells_along(2) > 2.0 * most_cells) size_ *= 2.0;
   for (int a = 0; a < 3; ++a) {
     const double cells = extent(a) / size_;
     cells_[a] = cells < most_cells ? 1 + static_cast<int>(cells) : 1;  // of no number: one

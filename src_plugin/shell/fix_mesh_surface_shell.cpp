@@ -36,7 +36,8 @@ const KeywordTable FixMeshSurfaceShell::keywords{
      "`yes` (default): nodes as heavy as the step asks for; `no`: true masses"},
     {"safety", 1, "-", "fraction f of the step sqrt(m/k), 0.01 to 1.9 (default 0.8)"},
     {"every", 1, "steps", "how often masses and safety are looked at (default 50)"},
-    {"strain_limit", 1, "-", "largest principal strain of a facet, either way (default 0.5)"},
+    {"strain_limit", 1, "-",
+     "largest principal strain of a facet, with `tension_only` of stretch alone (default 0.5)"},
     {"rupture", 1, "N/m", "hoop tension above which the log gets a warning (default: none)"},
 };
 

@@ -67,6 +67,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   void read_changeable(const Options& options);
   void read_pressure(const Options& options);
   void place_supports();
+  void restore(class RestartBlock& block);
 
   void take_loads(bool advance_memory);
   void press_grains(bool advance_memory);
@@ -79,6 +80,10 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   void warn_of_rupture();
   void warn(const std::string& sentence);
   double level_inside(double z) const;
+  long steps_since_release() const
+  {
+    return released_ < 0 ? -1 : static_cast<long>(update->ntimestep - released_);
+  }
 
   std::string platen_ids_[2];
   FixServoPlaten* platens_[2] = {nullptr, nullptr};  ///< top, bottom
@@ -95,6 +100,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   bool rigid_ = false, everywhere_ = false, scale_masses_ = true, rolling_ = false;
   double damping_ = 0.7, safety_ = 0.8, strain_limit_ = 0.5, rupture_ = 0.0;
   int every_ = 50;
+  LAMMPS_NS::bigint released_ = -1;  ///< step of the release from being rigid, below 0: none
   bool rupture_told_ = false, platen_told_[2] = {false, false};
   PressureRamp pressure_{0.0};
   Options on_fix_line_;

@@ -17,7 +17,7 @@ constexpr double end_tolerance = 1e-4;
 
 void FixMeshSurfaceShell::check()
 {
-  auto fault = fault_of_facets(*model_, first_, last_, strain_limit_);
+  auto fault = fault_of_facets(*model_, first_, last_, strain_limit_, steps_since_release());
   if (!fault && comm->me == 0) fault = fault_of_pairs(*model_, pairs_);
   if (fault)
     stop_from_one_rank(lmp, ("at step " + std::to_string(update->ntimestep) + " " + *fault));

@@ -38,8 +38,9 @@ void FixMeshSurfaceShell::press(bool advance_memory)
       stop_from_one_rank(
           lmp, ("grain " + std::to_string(atom->tag[i]) + " is on the wrong side of facet " +
                 std::to_string(contacts_.facet()) + " of sleeve '" + id + "' at step " +
-                std::to_string(update->ntimestep) +
-                ", load more slowly or raise the contact modulus of the sleeve"));
+                std::to_string(update->ntimestep) + ", " +
+                advice_for(steps_since_release(),
+                           "load more slowly or raise the contact modulus of the sleeve")));
     const SmoothTouch& smooth = contacts_.touch();
     const Vec3 point = center + contact_arm(radius, smooth.overlap) * smooth.normal;
     SurfaceMotion surface{Vec3::Zero(), Vec3::Zero()};

@@ -105,7 +105,10 @@ void FixMeshSurfaceShell::read_changeable(const Options& options)
     throw InputError(
         "'ramp' goes with 'pressure', found it alone, write 'pressure 50e3 ramp 1000'");
   read_pressure(options);
+  const bool was_rigid = rigid_;
   rigid_ = options.choice("rigid", yes_no, rigid_ ? "yes" : "no") == "yes";
+  // One that comes from a restart file with the masses of a step was released before.
+  if (was_rigid && !rigid_ && weighed_step_ == 0.0) released_ = update->ntimestep;
   everywhere_ = options.choice("pressed", {"between", "everywhere"},
                                everywhere_ ? "everywhere" : "between") == "everywhere";
   damping_ = options.between("damping", 0.0, 0.99, damping_);

@@ -2,31 +2,21 @@
 #include "shell/fix_mesh_surface_shell.h"
 
 #include "host/rank_sums.h"
-
-#include <cstring>
-#include <type_traits>
+#include "host/restart_block.h"
 
 namespace encased_column {
 
 namespace {
 
-constexpr int numbers_per_node = 17;
-
-struct Saved {
-  double nodes;
-  double pressure_work, support_work, damping_loss, weighed_step, mass_factor;
-  PressureRamp pressure;
-};
-
-void put(double*& to, const Vec3& v)
+void put(std::vector<double>& to, const Vec3& v)
 {
-  for (int a = 0; a < 3; ++a) *to++ = v(a);
+  to.insert(to.end(), v.data(), v.data() + 3);
 }
 
-Vec3 take(const double*& from)
+Vec3 take(RestartBlock& from)
 {
-  const Vec3 v(from[0], from[1], from[2]);
-  from += 3;
+  Vec3 v;
+  from.take(v.data(), 3);
   return v;
 }
 
@@ -34,75 +24,76 @@ Vec3 take(const double*& from)
 
 void FixMeshSurfaceShell::write_restart(FILE* file)
 {
-  static_assert(std::is_trivially_copyable_v<PressureRamp>);
   const double pressure_work = sum_over_ranks(pressure_work_, world);
   if (comm->me != 0) return;
   const int nodes = model_->nodes();
-  const Saved saved{static_cast<double>(nodes),
-                    pressure_work,
-                    support_work_,
-                    damping_loss_,
-                    weighed_step_,
-                    mass_factor_,
-                    pressure_};
-  std::vector<double> numbers(static_cast<std::size_t>(nodes) * numbers_per_node);
-  double* to = numbers.data();
+  std::vector<double> numbers{static_cast<double>(nodes),
+                              pressure_work,
+                              support_work_,
+                              damping_loss_,
+                              weighed_step_,
+                              mass_factor_,
+                              facet_bound_.empty() ? 0.0 : 1.0};
+  for (const double number : pressure_.state()) numbers.push_back(number);
   for (int i = 0; i < nodes; ++i) {
-    put(to, model_->position()[i]);
-    for (int a = 0; a < 4; ++a) *to++ = model_->rotation()[i].coeffs()(a);
-    put(to, model_->velocity()[i]);
-    put(to, model_->angular_velocity()[i]);
-    *to++ = model_->mass()[i];
-    *to++ = model_->inertia()[i];
-    *to++ = facet_bound_.empty() ? 0.0 : facet_bound_[i].translation;
-    *to++ = facet_bound_.empty() ? 0.0 : facet_bound_[i].rotation;
+    put(numbers, model_->position()[i]);
+    for (int a = 0; a < 4; ++a) numbers.push_back(model_->rotation()[i].coeffs()(a));
+    put(numbers, model_->velocity()[i]);
+    put(numbers, model_->angular_velocity()[i]);
+    numbers.push_back(model_->mass()[i]);
+    numbers.push_back(model_->inertia()[i]);
   }
-  const int size = static_cast<int>(sizeof(Saved) + numbers.size() * sizeof(double));
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(&saved, sizeof(Saved), 1, file);
-  fwrite(numbers.data(), sizeof(double), numbers.size(), file);
+  for (const StiffnessBound& bound : facet_bound_) {
+    numbers.push_back(bound.translation);
+    numbers.push_back(bound.rotation);
+  }
+  write_block(file, numbers);
 }
 
 // The sleeve goes on as it was, but for what the fix line says.
 void FixMeshSurfaceShell::restart(char* buffer)
 {
-  Saved saved{0, 0, 0, 0, 0, 0, PressureRamp(0.0)};
-  std::memcpy(static_cast<void*>(&saved), buffer, sizeof(Saved));
-  const int nodes = model_->nodes();
-  if (saved.nodes != nodes) {
-    error->fix_error(
-        FLERR, this,
-        ("the sleeve of the restart file has " + in_words(saved.nodes) + " nodes, this one " +
-         std::to_string(nodes) + ", give the mesh it was made with")
-            .c_str());
-    return;
+  try {
+    RestartBlock block(buffer);
+    restore(block);
+    read_pressure(on_fix_line_);
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
   }
-  std::vector<double> numbers(static_cast<std::size_t>(nodes) * numbers_per_node);
-  std::memcpy(numbers.data(), buffer + sizeof(Saved), numbers.size() * sizeof(double));
+}
+
+void FixMeshSurfaceShell::restore(RestartBlock& block)
+{
+  const int nodes = model_->nodes();
+  if (const double saved = block.take(); saved != nodes)
+    throw InputError("the sleeve of the restart file has " + in_words(saved) + " nodes, this one " +
+                     std::to_string(nodes) + ", give the mesh it was made with");
+  const double pressure_work = block.take();
+  pressure_work_ = comm->me == 0 ? pressure_work : 0.0;
+  support_work_ = block.take();
+  damping_loss_ = block.take();
+  weighed_step_ = block.take();
+  mass_factor_ = block.take();
+  // A sleeve that was never released has none yet: its release must find them, not take zeros.
+  const bool bounds_are_known = block.take() != 0.0;
+  std::array<double, PressureRamp::numbers> ramp;
+  block.take(ramp.data(), ramp.size());
+  pressure_.restore(ramp);
   std::vector<Vec3> position(nodes), velocity(nodes), spin(nodes);
   std::vector<Quaternion> rotation(nodes);
   std::vector<double> mass(nodes), inertia(nodes);
-  facet_bound_.assign(nodes, {0.0, 0.0});
-  const double* from = numbers.data();
   for (int i = 0; i < nodes; ++i) {
-    position[i] = take(from);
-    for (int a = 0; a < 4; ++a) rotation[i].coeffs()(a) = *from++;
-    velocity[i] = take(from);
-    spin[i] = take(from);
-    mass[i] = *from++;
-    inertia[i] = *from++;
-    facet_bound_[i] = {from[0], from[1]};
-    from += 2;
+    position[i] = take(block);
+    block.take(rotation[i].coeffs().data(), 4);
+    velocity[i] = take(block);
+    spin[i] = take(block);
+    mass[i] = block.take();
+    inertia[i] = block.take();
   }
   model_->set_state(position, rotation, velocity, spin);
   model_->set_masses(mass, inertia);
-  pressure_work_ = comm->me == 0 ? saved.pressure_work : 0.0;
-  support_work_ = saved.support_work;
-  damping_loss_ = saved.damping_loss;
-  weighed_step_ = saved.weighed_step;
-  mass_factor_ = saved.mass_factor;
-  pressure_ = saved.pressure;
-  read_pressure(on_fix_line_);
+  facet_bound_.resize(bounds_are_known ? nodes : 0);
+  for (StiffnessBound& bound : facet_bound_) bound = {block.take(), block.take()};
 }
 
 }  // namespace encased_column

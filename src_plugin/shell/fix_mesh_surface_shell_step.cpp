@@ -19,7 +19,9 @@ void FixMeshSurfaceShell::setup(int)
 {
   weighing_ = weighed_step_ != update->dt;
   take_loads(false);
-  if (!rigid_) close_loads();
+  if (rigid_) return;
+  close_loads();
+  model_->find_reactions();  // neither a restart file nor a new support knows them
 }
 
 void FixMeshSurfaceShell::initial_integrate(int)

@@ -19,7 +19,8 @@ HeightBands::HeightBands(const std::vector<Facet>& facet, const std::vector<Vec3
     sum += highest - lowest;
   }
   height_ = std::max(sum / static_cast<double>(facet.size()), 1e-3 * (high - low_));
-  bands_.resize(static_cast<std::size_t>((high - low_) / height_) + 1);
+  const double bands = (high - low_) / height_;
+  bands_.resize(bands > 0.0 ? static_cast<std::size_t>(bands) + 1 : 1);  // of no number: one
   for (int n = 0; n < static_cast<int>(facet.size()); ++n) {
     const auto [lowest, highest] = heights(facet[n]);
     for (int b = band_of(lowest); b <= band_of(highest); ++b) bands_[b].facets.push_back(n);
@@ -31,7 +32,7 @@ int HeightBands::band_of(double z) const
 {
   const double band = (z - low_) / height_;
   if (!(band > 0.0)) return 0;
-  return std::min(static_cast<int>(band), size() - 1);
+  return band < size() ? static_cast<int>(band) : size() - 1;
 }
 
 double HeightBands::distance(const Band& band, const Vec3& point)

@@ -4,6 +4,7 @@
 #include "shell/surface_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace encased_column {
@@ -51,6 +52,19 @@ class PressureRamp {
     return from_ + (to_ - from_) * static_cast<double>(step - begin_) / static_cast<double>(steps_);
   }
   double target() const { return to_; }
+  /// All there is to know of it, for a restart.
+  static constexpr int numbers = 4;
+  std::array<double, numbers> state() const
+  {
+    return {from_, to_, static_cast<double>(begin_), static_cast<double>(steps_)};
+  }
+  void restore(const std::array<double, numbers>& state)
+  {
+    from_ = state[0];
+    to_ = state[1];
+    begin_ = static_cast<long>(state[2]);
+    steps_ = static_cast<long>(state[3]);
+  }
   /// Steps until the target is reached.
   long steps_left(long now) const { return std::max(0L, begin_ + steps_ - now); }
 

@@ -138,6 +138,14 @@ StepWork ShellModel::advance(double dt, double alpha)
   return work;
 }
 
+void ShellModel::find_reactions()
+{
+  for (Support& support : support_) {
+    support.force = -support.held * force(support.node);
+    support.moment = -support.held_rotation * moment(support.node);
+  }
+}
+
 // Of the damping force only what `free` lets through does work: the rest the support takes up.
 double ShellModel::damping_work(int i, double dt, double alpha, const Mat3& free,
                                 const Mat3& free_rotation) const

@@ -70,6 +70,8 @@ class ShellModel {
   /// One step of central differences: local damping -alpha |F| sign(v) per component of force and
   /// moment, supports, then motion.
   StepWork advance(double dt, double alpha);
+  /// Finds what the supports bear of the loads as they stand; advance() does so too.
+  void find_reactions();
 
   FacetVectors corners(int facet) const;
   FacetRotations corner_rotations(int facet) const;

@@ -30,7 +30,9 @@ class SleeveRings {
     for (const ShellElement& element : model.element()) area += element.area();
     // Equilateral facets of area A are sqrt(sqrt(3) A) high.
     const double row = std::sqrt(std::sqrt(3.0) * area / model.facets());
-    rings_ = 1 + std::max(1, static_cast<int>(std::lround((high - low) / row)));
+    // A tube far thinner than a facet is long has more rows than nodes.
+    const double rows = std::clamp(std::round((high - low) / row), 1.0, 1.0 * model.nodes());
+    rings_ = 1 + static_cast<int>(rows);
     for (const Vec3& x : model.reference())
       ring_.push_back(static_cast<int>(std::lround((x.z() - low) / (high - low) * (rings_ - 1))));
   }

@@ -43,10 +43,23 @@ inline SleeveSummary summary_of(const ShellModel& model, const HeightWindow& win
   return out;
 }
 
+/// What to do about a sleeve that fails: soon after its release nothing can be slowed, the grains
+/// that were packed in it while it was rigid burst it. `released` is the number of steps since
+/// then, below zero where it never was rigid; `otherwise` helps against a load.
+inline std::string advice_for(long released, const std::string& otherwise)
+{
+  constexpr long soon = 1000;  // the specimen swells against the sleeve within a few hundred steps
+  if (released < 0 || released > soon) return otherwise;
+  return std::to_string(released) +
+         " steps after its release, when the grains packed in it while it was 'rigid' press on it: "
+         "pack them looser, write a larger 'thickness' or 'modulus' or longer facets";
+}
+
 /// What is wrong with one of facets [first, last), as a sentence; nothing when all is well.
-/// A facet is over-stretched when a principal strain exceeds `limit` [-] either way.
+/// A facet is over-stretched when a principal strain exceeds `limit` [-], either way where the
+/// membrane bears compression.
 inline std::optional<std::string> fault_of_facets(const ShellModel& model, int first, int last,
-                                                  double limit)
+                                                  double limit, long released = -1)
 {
   for (int f = first; f < last; ++f) {
     const FacetVectors x = model.corners(f);
@@ -56,11 +69,14 @@ inline std::optional<std::string> fault_of_facets(const ShellModel& model, int f
              " of the sleeve has a position that is not a number, go back to the last restart file "
              "with a smaller step";
     const FacetState state = model.facet_state(f);
-    const double strain = std::max(state.largest_strain, -state.smallest_strain);
+    // What wrinkles is not compressed: its strain is that of the plane it has left.
+    const double pushed = model.material().constants().tension_only ? 0.0 : -state.smallest_strain;
+    const double strain = std::max(state.largest_strain, pushed);
     if (!(strain <= limit))
       return "facet " + std::to_string(f) + " of the sleeve is strained by " + in_words(strain) +
-             ", the 'strain_limit' is " + in_words(limit) +
-             ", slow the loading, look at the sleeve there or write a larger limit";
+             ", the 'strain_limit' is " + in_words(limit) + ", " +
+             advice_for(released,
+                        "slow the loading, look at the sleeve there or write a larger limit");
   }
   return {};
 }

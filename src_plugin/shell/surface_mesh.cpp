@@ -2,6 +2,7 @@
 
 #include "core/input_error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -40,6 +41,20 @@ void require_sound_facets(const SurfaceMesh& mesh)
                        " alone: remove it from the mesh");
 }
 
+void require_single_facets(const SurfaceMesh& mesh)
+{
+  std::map<Facet, std::size_t> known;
+  for (std::size_t f = 0; f < mesh.facet.size(); ++f) {
+    Facet nodes = mesh.facet[f];
+    std::sort(nodes.begin(), nodes.end());
+    const auto [first, is_new] = known.emplace(nodes, f);
+    if (!is_new)
+      throw InputError("every facet of the mesh must stand once, found facet " + std::to_string(f) +
+                       " at " + at(mesh.node[nodes[0]]) + " at the place of facet " +
+                       std::to_string(first->second) + ": remove the double one");
+  }
+}
+
 }  // namespace
 
 SurfaceMesh welded(const std::vector<std::array<Vec3, 3>>& triangle, double tolerance)
@@ -70,16 +85,22 @@ SurfaceMesh welded(const std::vector<std::array<Vec3, 3>>& triangle, double tole
 std::vector<std::vector<int>> border_loops(const SurfaceMesh& mesh)
 {
   require_sound_facets(mesh);
+  require_single_facets(mesh);
   std::map<Edge, int> directed;  // the facet that runs along an edge in this direction
+  std::map<Edge, int> sides;     // how many facets share an edge, whichever way
   for (std::size_t f = 0; f < mesh.facet.size(); ++f)
     for (int i = 0; i < 3; ++i) {
       const Edge edge{mesh.facet[f][i], mesh.facet[f][(i + 1) % 3]};
-      if (!directed.emplace(edge, static_cast<int>(f)).second)
+      if (++sides[std::minmax(edge.first, edge.second)] > 2)
         throw InputError(
-            "neighbouring facets of the mesh must be oriented alike and an edge joins two at most, "
-            "found facets " +
-            std::to_string(directed[edge]) + " and " + std::to_string(f) + " at " +
-            at(mesh.node[edge.first]) + " against it: turn the inverted facet round");
+            "an edge of the mesh must join two facets at most, found a third one, "
+            "facet " +
+            std::to_string(f) + ", at " + at(mesh.node[edge.first]) +
+            ": remove what branches off the sleeve");
+      if (!directed.emplace(edge, static_cast<int>(f)).second)
+        throw InputError("neighbouring facets of the mesh must be oriented alike, found facets " +
+                         std::to_string(directed[edge]) + " and " + std::to_string(f) + " at " +
+                         at(mesh.node[edge.first]) + " against it: turn the inverted facet round");
     }
   std::multimap<int, int> next;  // along the border
   for (const auto& [edge, facet] : directed)

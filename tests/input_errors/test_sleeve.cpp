@@ -77,8 +77,19 @@ TEST(Sleeve, RefusesAMeshWithAHole)
 TEST(Sleeve, RefusesAnInvertedFacet)
 {
   expect_no_mesh([](auto& triangles) { std::swap(triangles[11][0], triangles[11][1]); },
-                 "neighbouring facets of the mesh must be oriented alike and an edge joins two at "
-                 "most, found facets");
+                 "neighbouring facets of the mesh must be oriented alike, found facets");
+}
+
+TEST(Sleeve, RefusesADoubleFacet)
+{
+  expect_no_mesh([](auto& triangles) { triangles.push_back(triangles[11]); },
+                 "every facet of the mesh must stand once, found facet 24");
+}
+
+TEST(Sleeve, RefusesMoreFacetsThanAMachineHolds)
+{
+  expect_no_sleeve(" cylinder 0.05 0 0.2 edge 1e-6" + platens + material,
+                   "edge of the sleeve must leave 1000000 facets at most, found 1e-06");
 }
 
 TEST(Sleeve, RefusesAMeshThatLies)
@@ -206,6 +217,46 @@ TEST(Sleeve, RefusesAWallOfAnotherLawThanThePairs)
                    "write 'model linear tangential history'",
                    "fix wall all wall/gran model linear tangential history rolling_friction epsd2 "
                    "mesh n_meshes 1 meshes side\n");
+}
+
+// The host casts whatever bears the name to a mesh of its own, and ends in a segmentation fault.
+TEST(Sleeve, IsRefusedByEveryCommandOfTheHostThatTakesAMesh)
+{
+  const std::string sleeve = "fix side all mesh/surface/shell" + mesh + platens + material + walls;
+  for (const std::string line :
+       {"dump d all mesh/stl 50 s*.stl side", "dump d all stl 50 s*.stl side",
+        "dump d all mesh/vtk 50 s*.vtk id side", "dump d all mesh/gran/VTK 50 s*.vtk side id",
+        "dump d all mesh/vtm 50 s*.vtm meshes side mesh_properties id",
+        "fix f all contacthistory/mesh side", "fix f all contactproperty/atom/wall mesh side",
+        "fix f all insert/stream seed 5330 distributiontemplate none nparticles 5 insert_every "
+        "once "
+        "extrude_length 0.1 insertion_face side",
+        "fix f all massflow/mesh mesh side vec_side 0 0 -1",
+        "fix f all massflow/mesh/sieve mesh side", "fix f all move/mesh mesh side linear 0 0 1",
+        "fix f all neighlist/mesh side"}) {
+    const Outcome outcome =
+        run_deck(opening_deck("empty_cylinder") + grain + sleeve + line + "\n", 1);
+    EXPECT_EQ(outcome.exit_code, 1) << line;
+    EXPECT_TRUE(
+        outcome.says("takes a mesh of the host, found 'side', which is a 'fix "
+                     "mesh/surface/shell', "))
+        << line << "\n"
+        << outcome.output;
+  }
+}
+
+TEST(Sleeve, LeavesTheMeshesOfTheHostToItsCommands)
+{
+  const TemporaryFolder folder;
+  const std::string sleeve = "fix side all mesh/surface/shell" + mesh + platens + material + walls;
+  const Outcome outcome =
+      run_deck(opening_deck("empty_cylinder") + grain + sleeve +
+                   "create_wall_mesh file plate.stl shape square half_width 0.01 z 0.01 edge 0.01\n"
+                   "fix plate all mesh/surface file plate.stl type 2\n"
+                   "dump d all mesh/stl 1 s*.stl plate\nrun 1\n",
+               1, folder.path());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "s1.stl"));
 }
 
 TEST(Sleeve, RefusesAWallThatDoesNotCountItsMeshes)

@@ -45,6 +45,19 @@ TEST(EncasedRestart, GoesOnInShearAndWithTheHistory)
   expect_the_same_run(encased_shear + "run 413\n", "");
 }
 
+// The file holds what a rigid sleeve has; its release then finds masses as in the run that went on.
+TEST(EncasedRestart, ReleasesASleeveThatWasRigidAsTheRunThatWentOn)
+{
+  const TemporaryFolder folder;
+  const std::string release =
+      "fix_modify side rigid no pressure 50e3 ramp 1000\nfix_modify bottom servo 50e3 ramp 1000\n";
+  run_in(folder.path(), new_encased_specimen("run 1000\nunfix grow\nrun 500\nwrite_restart stop\n" +
+                                             release + rest("whole")));
+  run_in(folder.path(), host + "read_restart stop\n" + materials_and_sleeve("rigid yes") + motion +
+                            release + rest("parts"));
+  EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
+}
+
 TEST(EncasedRestart, TakesThePressureThatAFixLineNames)
 {
   const TemporaryFolder folder;

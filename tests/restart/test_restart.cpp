@@ -112,6 +112,17 @@ void expect_to_go_on_after(const std::string& signal, const std::string& before,
 
 }  // namespace
 
+// What the deck changes between reading the file and the first step finds the walls as they were.
+TEST(Restart, RampsOfWallsThatAreChangedAtOnceStartFromTheStressOfTheFile)
+{
+  const TemporaryFolder folder;
+  const std::string change = "fix_modify bottom servo 50e3 ramp 1000\n";
+  run_in(folder.path(), new_specimen(consolidation + run_steps(2000) + "write_restart stop\n" +
+                                     change + rest("whole")));
+  run_in(folder.path(), specimen_of("stop", change + rest("parts")));
+  EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
+}
+
 TEST(Restart, GoesOnWhileRadiiGrow)
 {
   const TemporaryFolder folder;

@@ -12,37 +12,35 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The small test with a restart file every 700 steps: not where the host sorts grains by itself.
-class ResumedTriaxialTest : public ::testing::Test {
- protected:
-  static void SetUpTestSuite()
-  {
-    whole_ = new TemporaryFolder;
-    const Outcome outcome =
-        run_deck(plain_triaxial_deck(), 1, whole_->path(), arguments_in(*whole_));
-    failure_ = outcome.exit_code == 0 ? "" : outcome.output;
-  }
-  static void TearDownTestSuite() { delete whole_; }
-  void SetUp() override { ASSERT_EQ(failure_, ""); }
+struct Stage {
+  std::string line;  ///< of the deck that ends it
+  int steps;         ///< the test is killed so many steps after its begin
+};
 
-  static std::vector<std::string> arguments_in(const TemporaryFolder& folder)
+/// A small test that nothing stopped, with a restart file every 700 steps: not where the host sorts
+/// grains by itself.
+class WholeTest {
+ public:
+  explicit WholeTest(const std::string& deck) : deck_(deck)
   {
-    std::vector<std::string> arguments = prepare_small_triaxial(folder.path());
-    arguments.insert(arguments.end(), {"-var", "restart_every", "700"});
-    return arguments;
+    const Outcome outcome = run_deck(deck_, 1, folder_.path(), arguments_in(folder_));
+    if (outcome.exit_code != 0) failure_ = outcome.output;
   }
 
-  /// Kills a new run `steps` steps before the deck's line `line`, goes on in `stage` on `ranks`
-  /// ranks, and returns how that ended. The run has itself killed: from outside it might be too
-  /// late.
-  static Outcome kill_and_go_on(const TemporaryFolder& folder, const std::string& line, int steps,
-                                int stage, int ranks = 1)
+  const std::string& failure() const { return failure_; }
+  CsvTable history() const { return CsvTable(folder_.path() / "history.csv"); }
+
+  /// Kills a new run in its stage `end`, number `stage`, goes on in that on `ranks` ranks, and
+  /// returns how it ended. The run has itself killed: from outside it might be too late.
+  Outcome kill_and_go_on(const TemporaryFolder& folder, const Stage& end, int stage,
+                         int ranks = 1) const
   {
     std::vector<std::string> arguments = arguments_in(folder);
-    std::string deck = plain_triaxial_deck();
-    const std::size_t place = deck.find("\n" + line);
-    if (place == std::string::npos) throw std::runtime_error("no line '" + line + "' in the deck");
-    deck.insert(place + 1, "run " + std::to_string(steps) + "\nshell sh die\n");
+    std::string deck = deck_;
+    const std::size_t place = deck.find("\n" + end.line);
+    if (place == std::string::npos)
+      throw std::runtime_error("no line '" + end.line + "' in the deck");
+    deck.insert(place + 1, "run " + std::to_string(end.steps) + "\nshell sh die\n");
     std::ofstream(folder.path() / "in.lmp") << deck;
     std::ofstream(folder.path() / "die") << "kill -KILL $(cat pid)\n";
     std::string command = "echo $$ >pid; exec '" ENCASE_PROGRAM "' -in in.lmp";
@@ -52,59 +50,82 @@ class ResumedTriaxialTest : public ::testing::Test {
     EXPECT_TRUE(fs::exists(folder.path() / ("restart_" + std::to_string(stage))));
     EXPECT_FALSE(fs::exists(folder.path() / ("restart_" + std::to_string(stage + 1))));
     arguments.insert(arguments.end(), {"-var", "resume", std::to_string(stage)});
-    return run_deck(plain_triaxial_deck(), ranks, folder.path(), arguments);
+    return run_deck(deck_, ranks, folder.path(), arguments);
   }
 
-  static CsvTable history() { return CsvTable(whole_->path() / "history.csv"); }
-
-  static void expect_the_same_results(const TemporaryFolder& folder)
+  void expect_the_same_results(const TemporaryFolder& folder,
+                               const std::vector<std::string>& files) const
   {
-    for (const char* file : {"history.csv", "grains/grains.pvd"})
-      EXPECT_EQ(read_text(folder.path() / file), read_text(whole_->path() / file)) << file;
+    for (const std::string& file : files)
+      EXPECT_EQ(read_text(folder.path() / file), read_text(folder_.path() / file)) << file;
   }
 
  private:
-  inline static TemporaryFolder* whole_ = nullptr;
-  inline static std::string failure_;
+  static std::vector<std::string> arguments_in(const TemporaryFolder& folder)
+  {
+    std::vector<std::string> arguments = prepare_small_triaxial(folder.path());
+    arguments.insert(arguments.end(), {"-var", "restart_every", "700"});
+    return arguments;
+  }
+
+  std::string deck_, failure_;
+  TemporaryFolder folder_;
 };
 
-const std::string growth = "run 5000 upto", consolidation = "solve ratio average ${limit}",
-                  shear = "run ${last_step} upto";
+const std::vector<Stage> stages{{"run 5000 upto", 2000},
+                                {"solve ratio average 1e-2", 150},
+                                {"solve ratio average ${limit}", 1000},
+                                {"run ${last_step} upto", 600}};
+
+void expect_the_same_end_from_every_stage(const std::string& deck,
+                                          const std::vector<std::string>& files)
+{
+  const WholeTest whole(deck);
+  ASSERT_EQ(whole.failure(), "");
+  for (int stage = 1; stage <= 4; ++stage) {
+    SCOPED_TRACE("killed in stage " + std::to_string(stage));
+    const TemporaryFolder folder;
+    const Outcome outcome = whole.kill_and_go_on(folder, stages[stage - 1], stage);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    whole.expect_the_same_results(folder, files);
+  }
+}
 
 }  // namespace
 
-TEST_F(ResumedTriaxialTest, KilledWhileGrainsGrowEndsTheSame)
+// The first file is that of the state before the first step, while the fixes are being set up.
+TEST(ResumedTriaxial, EndsTheSameFromTheFileOfTheFirstStep)
 {
+  const WholeTest whole(plain_triaxial_deck());
+  ASSERT_EQ(whole.failure(), "");
   const TemporaryFolder folder;
-  const Outcome outcome = kill_and_go_on(folder, growth, 2000, 1);
+  const Outcome outcome = whole.kill_and_go_on(folder, {stages[0].line, 400}, 1);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  expect_the_same_results(folder);
+  whole.expect_the_same_results(folder, {"history.csv", "grains/grains.pvd"});
 }
 
-TEST_F(ResumedTriaxialTest, KilledInConsolidationEndsTheSame)
+TEST(ResumedTriaxial, EndsTheSameFromEveryStage)
 {
-  const TemporaryFolder folder;
-  const Outcome outcome = kill_and_go_on(folder, consolidation, 1000, 3);
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  expect_the_same_results(folder);
+  expect_the_same_end_from_every_stage(plain_triaxial_deck(), {"history.csv", "grains/grains.pvd"});
 }
 
-TEST_F(ResumedTriaxialTest, KilledInShearEndsTheSame)
+// The restart files of the first two stages hold a rigid sleeve, which the third one releases.
+TEST(ResumedTriaxial, EncasedEndsTheSameFromEveryStage)
 {
-  const TemporaryFolder folder;
-  const Outcome outcome = kill_and_go_on(folder, shear, 600, 4);
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  expect_the_same_results(folder);
+  expect_the_same_end_from_every_stage(encased_triaxial_deck(),
+                                       {"history.csv", "sleeve.csv", "profile.csv"});
 }
 
 // Sums of other ranks have other round-off, so only the course is compared.
-TEST_F(ResumedTriaxialTest, GoesOnWithAnotherNumberOfRanks)
+TEST(ResumedTriaxial, GoesOnWithAnotherNumberOfRanks)
 {
+  const WholeTest whole(plain_triaxial_deck());
+  ASSERT_EQ(whole.failure(), "");
   const TemporaryFolder folder;
-  const Outcome outcome = kill_and_go_on(folder, shear, 600, 4, 2);
+  const Outcome outcome = whole.kill_and_go_on(folder, stages[3], 4, 2);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  const CsvTable resumed(folder.path() / "history.csv");
-  EXPECT_EQ(resumed.column("step [-]"), history().column("step [-]"));
+  const CsvTable resumed(folder.path() / "history.csv"), history = whole.history();
+  EXPECT_EQ(resumed.column("step [-]"), history.column("step [-]"));
   EXPECT_NEAR(resumed.column("stress_bottom [Pa]").back(),
-              history().column("stress_bottom [Pa]").back(), 1e3);
+              history.column("stress_bottom [Pa]").back(), 1e3);
 }

@@ -17,6 +17,11 @@ std::string plain_triaxial_deck()
   return read_text(inputs / "triaxial_plain/triaxial_plain.lmp");
 }
 
+std::string encased_triaxial_deck()
+{
+  return read_text(inputs / "triaxial_encased/triaxial_encased.lmp");
+}
+
 Outcome run_small_triaxial(const fs::path& folder, int ranks)
 {
   return run_small_triaxial(folder, ranks, plain_triaxial_deck());

@@ -16,7 +16,8 @@ Outcome run_small_triaxial(const std::filesystem::path& folder, int ranks, const
 /// program.
 std::vector<std::string> prepare_small_triaxial(const std::filesystem::path& folder);
 
-/// The text of the deck.
+/// The text of a deck.
 std::string plain_triaxial_deck();
+std::string encased_triaxial_deck();
 
 }  // namespace encased_column::testing

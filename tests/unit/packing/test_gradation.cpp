@@ -279,3 +279,20 @@ TEST(WriteGradation, PutsWantedAndAchievedSideBySide)
   EXPECT_NE(out.str().find("0.001,0.002,100,99.5,12\n"), std::string::npos);
   EXPECT_NE(out.str().find("# Cu by sieve [-],4\n# Cc by sieve [-],1\n"), std::string::npos);
 }
+
+// Mass percents sum to 100 within 0.01: a file that is cut off loses more or nothing.
+TEST(ReadGradation, OfAFileCutOffAnywhereIsRefusedOrTheSame)
+{
+  std::string text = "# a gravel\n" + header;
+  for (const SizeClass& c : cinder_gravel)
+    text += std::to_string(c.diameter_low) + "," + std::to_string(c.diameter_high) + "," +
+            std::to_string(c.mass_percent) + "\n";
+  for (std::size_t size = 0; size < text.size(); ++size) {
+    const std::string found = refusal([&] {
+      const Gradation gradation = read(text.substr(0, size));
+      ASSERT_EQ(gradation.size(), cinder_gravel.size()) << size;
+      EXPECT_NEAR(gradation.back().mass_percent, cinder_gravel.back().mass_percent, 0.01) << size;
+    });
+    if (size < header.size()) EXPECT_NE(found, "no refusal") << size;
+  }
+}

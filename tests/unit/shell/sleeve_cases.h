@@ -8,7 +8,7 @@
 namespace encased_column {
 
 /// A short tube of 50 mm radius about the z axis, outward facets of about 20 mm.
-inline ShellModel short_tube(double poisson = 0.3)
+inline ShellModel short_tube(double poisson = 0.3, bool tension_only = false)
 {
   TubeShape shape;
   shape.radius = 0.05;
@@ -19,6 +19,7 @@ inline ShellModel short_tube(double poisson = 0.3)
   c.poisson = poisson;
   c.thickness = 0.002;
   c.density = 500.0;
+  c.tension_only = tension_only;
   return ShellModel(cylinder_mesh(shape), c, Vec3::UnitZ());
 }
 

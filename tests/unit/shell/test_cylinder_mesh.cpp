@@ -138,3 +138,34 @@ TEST(Welded, TrianglesOneByOneMakeTheMeshTheyCameFrom)
   EXPECT_EQ(found.node.size(), mesh.node.size());
   EXPECT_EQ(border_loops(found).size(), 2u);
 }
+
+// A million facets; one more length of the edge would narrow the counts of an int.
+TEST(CylinderMesh, RefusesMoreFacetsThanAMachineHolds)
+{
+  for (const double edge : {1e-6, 1e-12, 1e-300}) {
+    std::string found = "not refused";
+    try {
+      cylinder_mesh(TubeShape{0.05, 0.0, 0.2, edge});
+    } catch (const InputError& problem) {
+      found = problem.what();
+    }
+    EXPECT_EQ(found.find("edge of the sleeve must leave 1000000 facets at most, found"), 0u)
+        << found;
+  }
+}
+
+TEST(RequireSleeve, NamesADoubleFacetAndABranchAsWhatTheyAre)
+{
+  SurfaceMesh mesh = cylinder_mesh(sleeve());
+  const Facet first = mesh.facet[0];
+  mesh.facet.push_back({first[1], first[0], first[2]});
+  EXPECT_NE(refusal(mesh).find("every facet of the mesh must stand once, found facet 5796 at "),
+            std::string::npos)
+      << refusal(mesh);
+  mesh = cylinder_mesh(sleeve());
+  mesh.node.emplace_back(0.2, 0.0, 0.1);
+  mesh.facet.push_back({first[1], first[0], static_cast<int>(mesh.node.size()) - 1});
+  EXPECT_NE(refusal(mesh).find("an edge of the mesh must join two facets at most"),
+            std::string::npos)
+      << refusal(mesh);
+}

@@ -80,3 +80,20 @@ TEST(FacetGrid, SortsTwoSmallFacetsFarApart)
   EXPECT_EQ(near(grid, node[4], 0.01), std::vector<int>{1});
   EXPECT_EQ(near(grid, node[0], 0.01), std::vector<int>{0});
 }
+
+// As many cubes as facets' sizes fit into their extent would be 1e12.
+TEST(FacetGrid, OfSmallFacetsFarApartTakesLargerCubes)
+{
+  const double far = 1.0, small = 1e-6;
+  std::vector<Vec3> node;
+  std::vector<Facet> facet;
+  for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(far, 0, 0), Vec3(0, far, 0)}) {
+    const int n = static_cast<int>(node.size());
+    for (const Vec3& side : {Vec3(0, 0, 0), Vec3(small, 0, 0), Vec3(0, small, 0)})
+      node.push_back(corner + side);
+    facet.push_back({n, n + 1, n + 2});
+  }
+  FacetGrid grid;
+  grid.sort(facet, node);
+  EXPECT_EQ(near(grid, Vec3(far, 0, 0), 1e-3), std::vector<int>{1});
+}

@@ -67,3 +67,15 @@ TEST(HeightBands, HoldEveryFacetInEachBandItReaches)
       EXPECT_NE(std::find(there.begin(), there.end(), f), there.end());
     }
 }
+
+// The sleeve of a run that blew up, in the steps before its check finds it.
+TEST(HeightBands, OfPositionsThatAreNoNumbersAreFew)
+{
+  SurfaceMesh mesh = cylinder_mesh(TubeShape{0.05, 0.0, 0.2, 0.02});
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  for (Vec3& node : mesh.node) node.z() = nothing;
+  const HeightBands bands(mesh.facet, mesh.node);
+  EXPECT_LE(bands.size(), 1001);
+  bands.is_clear(Vec3(0.0, 0.0, 0.1), 0.01);
+  bands.is_clear(Vec3(nothing, 0.0, nothing), 0.01);
+}

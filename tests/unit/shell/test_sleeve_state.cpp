@@ -157,3 +157,32 @@ TEST(FacetPairs, AreThoseThatShareAnEdgeEachOnce)
   EXPECT_EQ(found, expected);
   EXPECT_EQ(found.size(), (3u * model.facets() - 32u) / 2u) << "less the two ends of 16 edges";
 }
+
+// Shortened by 60 % along its axis a sleeve that wrinkles only folds.
+TEST(FaultOfFacets, OfASleeveThatWrinklesIsStretchAlone)
+{
+  ShellModel bears = short_tube(0.3), wrinkles = short_tube(0.3, true);
+  for (ShellModel* model : {&bears, &wrinkles}) {
+    std::vector<Vec3> x = model->reference();
+    for (Vec3& p : x) p.z() *= 0.4;
+    place(*model, x);
+  }
+  EXPECT_NE(fault_of(bears, 0.5), "");
+  EXPECT_EQ(fault_of(wrinkles, 0.5), "");
+  widen(wrinkles, 0.6);
+  EXPECT_NE(fault_of(wrinkles, 0.5), "");
+}
+
+TEST(FaultOfFacets, SoonAfterTheReleaseDoesNotAskForASlowerLoad)
+{
+  ShellModel model = short_tube(0.3);
+  widen(model, 0.6);
+  const auto at = [&](long released) {
+    return *fault_of_facets(model, 0, model.facets(), 0.5, released);
+  };
+  EXPECT_NE(at(-1).find("slow the loading"), std::string::npos);
+  EXPECT_NE(at(5000).find("slow the loading"), std::string::npos);
+  EXPECT_EQ(at(200).find("slow the loading"), std::string::npos);
+  EXPECT_NE(at(200).find("200 steps after its release"), std::string::npos);
+  EXPECT_NE(at(200).find("pack them looser"), std::string::npos);
+}
