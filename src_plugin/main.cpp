@@ -1,6 +1,7 @@
 #include "plugin_entry.h"
 #include "style_table.h"
 
+#include "error.h"
 #include "input.h"
 #include "signal_handling.h"
 
@@ -9,6 +10,7 @@
 #include <csignal>
 #include <cstring>
 #include <iostream>
+#include <new>
 
 using namespace encased_column;
 
@@ -73,7 +75,13 @@ int main(int argc, char** argv)
   {
     LAMMPS_NS::LAMMPS lammps(argc, argv, MPI_COMM_WORLD);
     register_styles(&lammps);
-    lammps.input->file();
+    try {
+      lammps.input->file();
+    } catch (const std::bad_alloc&) {
+      lammps.error->one(FLERR,
+                        "the command above needs more memory than there is, write fewer or coarser "
+                        "grains, or run on more machines");
+    }
   }
   MPI_Finalize();
   return 0;

@@ -106,12 +106,17 @@ void FixSpecimenHistory::check_grains(const Sums& sums)
           ? 0.0
           : side_->count_outside(atom->x[0], atom->nlocal, bottom_->height(), top_->height()),
       world);
-  if (outside > 0.0)
-    error->fix_error(
-        FLERR, this,
-        (std::to_string(static_cast<long>(outside)) + " grains are outside the walls at step " +
-         std::to_string(update->ntimestep) + ", slow the walls or raise the contact modulus")
-            .c_str());
+  if (outside == 0.0) return;
+  const bool has_moved = update->ntimestep > update->firststep;
+  error->fix_error(
+      FLERR, this,
+      (std::to_string(static_cast<long>(outside)) + " grains are outside the walls at step " +
+       std::to_string(update->ntimestep) +
+       (has_moved
+            ? ", slow the walls or raise the contact modulus"
+            : ", where the run begins, so that no wall has let them through: all grains of the "
+              "box must be the specimen's, delete those or place its walls around them"))
+          .c_str());
 }
 
 }  // namespace encased_column

@@ -30,7 +30,7 @@ class FixServoCylinder : public RigidWall, public SpecimenSide {
   bool has_partners() const override;
   double loaded_area() const override;
   double usual_speed_limit() const override { return 1e-5 * cylinder_.radius / update->dt; }
-  void advance(double distance) override { cylinder_.advance(distance); }
+  void advance(double distance) override;
   double position() const override { return cylinder_.radius; }
   void set_position(double radius) override { cylinder_.radius = radius; }
   void press_grains() override { press_grains_with(cylinder_); }
