@@ -2,6 +2,7 @@
 #include "plugin_entry.h"
 #include "style_table.h"
 
+#include "error.h"
 #include "input.h"
 #include "lammps.h"
 #include "signal_handling.h"
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <new>
 
 using namespace encased_column;
 
@@ -70,7 +72,13 @@ int main(int argc, char** argv)
   {
     LAMMPS_NS::LAMMPS lammps(argc, argv, MPI_COMM_WORLD);
     register_styles(&lammps);
-    lammps.input->file();
+    try {
+      lammps.input->file();
+    } catch (const std::bad_alloc&) {
+      lammps.error->one(FLERR,
+                        "the command above needs more memory than there is, write fewer or coarser "
+                        "grains, or run on more machines");
+    }
     tell_if_stopped(lammps);
   }
   MPI_Finalize();

@@ -1,5 +1,6 @@
 #include "plugin_entry.h"
 
+#include "contact/coincident_grains.h"
 #include "core/input_error.h"
 #include "dynamics/fix_gravity_of_motion.h"
 #include "host/contact_law.h"
@@ -96,19 +97,43 @@ void register_fixes(LAMMPS_NS::LAMMPS* lmp)
 /// Every command of the map, the host's and ours, by the deck's word for it.
 std::map<std::string, CommandCreator> all_commands;
 
-/// Ends the run where a fix of ours would take another contact law for its own.
-void check_contact_law(LAMMPS_NS::LAMMPS* lmp)
+/// Ends the run where two grains are at one place, as after a 'create_atoms' that stands twice.
+void check_places(LAMMPS_NS::LAMMPS* lmp)
 {
+  const LAMMPS_NS::Atom& atom = *lmp->atom;
+  int pair[2] = {0, 0};
+  if (const auto same = atom.nlocal ? find_coincident(atom.x[0], atom.nlocal) : std::nullopt) {
+    pair[0] = atom.tag[same->first];
+    pair[1] = atom.tag[same->second];
+  }
+  // One rank's pair, where several have one.
+  MPI_Allreduce(MPI_IN_PLACE, pair, 1, MPI_2INT, MPI_MAXLOC, lmp->world);
+  if (pair[0] == 0) return;
+  lmp->error->all(FLERR,
+                  ("grains must be at different places, found grain " + std::to_string(pair[0]) +
+                   " and grain " + std::to_string(pair[1]) +
+                   " at the same, create them once or write 'delete_atoms overlap 1e-9 all all'")
+                      .c_str());
+}
+
+/// Ends the run where a fix of ours would take another contact law for its own, or grains that have
+/// no contact for touching.
+void check_contacts(LAMMPS_NS::LAMMPS* lmp)
+{
+  bool are_read = false;
   try {
     for (int n = 0; n < lmp->modify->nfix; ++n) {
       const LAMMPS_NS::Fix& fix = *lmp->modify->fix[n];
       for (const Style& style : style_table())
-        if (style.reads_contact_law && style.maker.made(fix))
+        if (style.reads_contact_law && style.maker.made(fix)) {
           require_linear_law(lmp, "'fix " + std::string(fix.id) + "' of style " + style.name);
+          are_read = true;
+        }
     }
   } catch (const InputError& problem) {
     lmp->error->all(FLERR, problem.what());
   }
+  if (are_read) check_places(lmp);
 }
 
 /// Reads the name in `word` as the host will, and puts it right for a `*`.
@@ -150,7 +175,7 @@ void run_command(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   const bool makes_box = is_one_of(word, {"create_box", "read_data", "read_restart"});
   if (makes_box) register_fixes(lmp);
   if (is_one_of(word, {"run", "run_time", "minimize", "solve"}) && lmp->domain->box_exist)
-    check_contact_law(lmp);
+    check_contacts(lmp);
   if (word == "read_restart" && narg == 1 && !lmp->domain->box_exist) check_restart(lmp, arg[0]);
   if (word == "replicate") refuse_replicated_contacts(lmp);
   if (word == "delete_atoms" && narg > 1 && lmp->domain->box_exist)

@@ -82,6 +82,17 @@ int FixServoCylinder::count_outside(const double* centers, int count, double z_l
   return outside;
 }
 
+void FixServoCylinder::advance(double distance)
+{
+  cylinder_.advance(distance);
+  if (cylinder_.radius > 0.0) return;
+  error->fix_error(FLERR, this,
+                   ("'radius' must stay larger than zero, found " + in_words(cylinder_.radius) +
+                    " m at step " + std::to_string(update->ntimestep) +
+                    ", write a lower speed or 'fix_modify " + id + " hold' before it gets there")
+                       .c_str());
+}
+
 double FixServoCylinder::compute_vector(int n)
 {
   switch (n) {
