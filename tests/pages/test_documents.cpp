@@ -1,0 +1,97 @@
+// Every page of the source tree can be followed: its links and pictures are there. The first page
+// stays short and begins with what a newcomer needs.
+#include "pages/markdown_links.h"
+#include "pages/word_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace encased_column::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path source = ENCASE_SOURCE;
+
+/// Pages of the tree but for what builds, runs and hidden folders hold.
+std::vector<fs::path> all_documents()
+{
+  std::vector<fs::path> pages;
+  for (fs::recursive_directory_iterator entry(source), end; entry != end; ++entry) {
+    const std::string name = entry->path().filename();
+    if (entry->is_directory() &&
+        (name.front() == '.' ||
+         (entry.depth() == 0 && (name.rfind("build", 0) == 0 || name == "runs"))))
+      entry.disable_recursion_pending();
+    else if (entry->path().extension() == ".md")
+      pages.push_back(entry->path());
+  }
+  return pages;
+}
+
+bool any_line_has(const std::vector<std::string>& lines, const std::string& words)
+{
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    return line.find(words) != std::string::npos;
+  });
+}
+
+}  // namespace
+
+TEST(Documents, HaveLinksThatLeadSomewhere)
+{
+  const std::vector<fs::path> pages = all_documents();
+  EXPECT_GT(pages.size(), 20u);
+  for (const fs::path& page : pages)
+    for (const Link& link : local_links(lines_of(page)))
+      EXPECT_EQ(problem_with(link.target, page), "") << page.string() << ":" << link.line;
+}
+
+TEST(Documents, BeginWithAShortPage)
+{
+  const std::vector<std::string> lines = lines_of(source / "README.md");
+  EXPECT_LE(lines.size(), 120u);
+  const std::vector<std::string> screen(lines.begin(),
+                                        lines.begin() + std::min<long>(30, long(lines.size())));
+  EXPECT_TRUE(any_line_has(screen, "    ./input_scripts/run"));
+  EXPECT_TRUE(any_line_has(screen, "    ./tests/run"));
+  EXPECT_TRUE(any_line_has(screen, ".png")) << "a picture in the first 30 lines";
+}
+
+TEST(Documents, NameTheVersionOfTheBuild)
+{
+  std::string version;
+  for (const std::string& line : lines_of(source / "CMakeLists.txt"))
+    if (line.rfind("project(", 0) == 0) {
+      const std::size_t word = line.find("VERSION ") + 8;
+      version = line.substr(word, line.find(' ', word) - word);
+    }
+  ASSERT_FALSE(version.empty());
+  EXPECT_TRUE(any_line_has(lines_of(source / "CITATION.cff"), "version: " + version)) << version;
+  EXPECT_TRUE(any_line_has(lines_of(source / "CHANGELOG.md"), "## " + version)) << version;
+}
+
+TEST(MarkdownLinks, AreFoundInBothWaysAndOutsideOfCode)
+{
+  const std::vector<Link> links =
+      local_links({"See [one](a.md) and ![two](b.png \"title\").",
+                   "<img src=\"c.png\" height=\"4\">", "    [code](no.md)", "```", "[code](no.md)",
+                   "```", "`[code](no.md)` [far](https://host/d.md)", "[part](#here)"});
+  ASSERT_EQ(links.size(), 4u);
+  EXPECT_EQ(links[0].target, "a.md");
+  EXPECT_EQ(links[1].target, "b.png");
+  EXPECT_EQ(links[2].target, "c.png");
+  EXPECT_EQ(links[2].line, 2);
+  EXPECT_EQ(links[3].target, "#here");
+}
+
+TEST(MarkdownLinks, AreRefusedWhereFileOrHeadingIsMissing)
+{
+  const fs::path page = source / "tests/bench/README.md";
+  EXPECT_EQ(problem_with("peers/README.md", page), "");
+  EXPECT_EQ(problem_with("peers/README.md#on-paper-a-cluster", page), "");
+  EXPECT_NE(problem_with("peers/NONE.md", page), "");
+  EXPECT_NE(problem_with("peers/README.md#nowhere", page), "");
+  EXPECT_NE(problem_with("#nowhere", page), "");
+}
