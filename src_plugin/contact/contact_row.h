@@ -101,8 +101,8 @@ class ContactRow {
 
   double resolve_springs(double dt, double step, bool advance);
   double resolve_with_dashpots(double dt, double step, bool advance);
-  template <bool dashpots>
-  double resolve_as(double dt, double step, bool advance);
+  template <bool dashpots, bool advance>
+  double resolve_as(double dt, double step);
 
   using Numbers = double[size];
   int count_ = 0;
@@ -114,6 +114,7 @@ class ContactRow {
   Numbers velocity_[3], rolled_[3], spin_[3], spring_[3], seen_;
   Numbers radius_i_, radius_j_, modulus_, ratio_, friction_, share_;
   Numbers mass_, damping_normal_, damping_shear_;
+  Numbers cosine_, sine_;  ///< of half the turn about the normal
   Numbers overlap_, force_[3], twist_[3], normal_force_, normal_stiffness_, shear_stiffness_, part_;
 };
 

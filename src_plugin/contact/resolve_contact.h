@@ -90,9 +90,9 @@ template <bool rolling>
     Vec3 torque = kept_torque;
     if (fresh) torque.setZero();
     const double r = wall ? t.i.radius : rolling_radius(t.i.radius, t.j.radius);
-    action.rolling_loss =
-        advance_rolling_torque(k.shear, material.rolling_friction, r, f.normal, t.i.spin - t.j.spin,
-                               velocity.twist, t.normal, advance ? dt : 0.0, torque);
+    action.rolling_loss = advance_rolling_torque(
+        k.shear, material.rolling_friction, r, f.normal, t.i.spin - t.j.spin,
+        half_turn(advance ? velocity.twist * dt : 0.0), t.normal, advance ? dt : 0.0, torque);
     action.stored += rolling_energy(k.shear, r, torque);
     if (advance) kept_torque = torque;
     action.moment_i -= torque;

@@ -17,17 +17,16 @@ inline double rolling_radius(double r_i, double r_j)
 ///
 /// Spring k_r = k_t r^2, limit mu_r F_n r, both with r = rolling_radius(). `spin` [rad/s] is
 /// w_i - w_j; its part along the normal `n` (twist) is not resisted. The torque is laid into the
-/// contact plane and turns with the contact about the normal by `twist` [rad/s], half before and
-/// half after it is advanced; with `dt` = 0 it stays as it is.
+/// contact plane and turns with the contact about the normal, by `half` before and by `half` after
+/// it is advanced; with `dt` = 0 it stays as it is.
 /// Source: Ai, Chen, Rotter, Ooi (2011), Powder Technology 206, 269-282, model C; Iwashita and Oda
 /// (1998), J. Eng. Mech. 124, 285-292, for the spring.
 inline double advance_rolling_torque(double shear_stiffness, double friction, double r,
-                                     double normal_force, const Vec3& spin, double twist,
+                                     double normal_force, const Vec3& spin, const Turn& half,
                                      const Vec3& n, double dt, Vec3& torque)
 {
   const double stiffness = shear_stiffness * r * r;
   const double moves = dt > 0.0 ? 1.0 : 0.0;
-  const Turn half = half_turn(twist * dt);
   const Vec3 before = half.of(laid_into_plane(torque, n, moves), n);
   const Vec3 trial = before + stiffness * dt * (spin - spin.dot(n) * n);
   const double limit = friction * normal_force * r * slider_slack(dt > 0.0);

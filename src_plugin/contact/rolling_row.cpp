@@ -14,10 +14,9 @@ double RollingRow::roll_one(int n, double dt, double step)
   const double old = seen_[n] < step - 1.0 ? 0.0 : 1.0;  // one that was not there starts anew
   Vec3 torque = old * torque_.at(n);
   const Vec3 normal(normal_[0][n], normal_[1][n], normal_[2][n]);
-  const double twist = 0.5 * normal.dot(Vec3(spin_[0][n], spin_[1][n], spin_[2][n]));
-  const double loss =
-      advance_rolling_torque(shear_stiffness_[n], rolling_friction_[n], radius_of_rolling(n),
-                             normal_force_[n], turning_.at(n), twist, normal, dt, torque);
+  const double loss = advance_rolling_torque(shear_stiffness_[n], rolling_friction_[n],
+                                             radius_of_rolling(n), normal_force_[n], turning_.at(n),
+                                             Turn{cosine_[n], sine_[n]}, normal, dt, torque);
   torque_.set(n, torque);
   return share_[n] * loss;
 }

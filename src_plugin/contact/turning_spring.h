@@ -2,7 +2,6 @@
 
 #include "core/vec3.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace encased_column {
@@ -10,14 +9,15 @@ namespace encased_column {
 // What a contact keeps in its plane, the shear spring and the rolling torque, goes along with the
 // plane: as the normal turns, and as the bodies turn about the normal. Left where it was it would
 // get a part along the normal, and a rolling torque with such a part drives the twist of the bodies
-// without an end: nothing resists twist, and no spring is relaxed by it.
+// without an end: nothing resists twist, and no spring is relaxed by it. Choices are by value, for
+// the vector units.
 
 /// Largest length a vector laid into a turned plane is stretched to, over that of its projection
 /// [-]: a plane that turns by more than 60 degrees in a step only shortens it.
 constexpr double longest_stretch = 2.0;
 
 /// Added to squares of lengths, so that nothing is divided by zero.
-constexpr double no_square = 1e-300;
+constexpr double no_square = 1e-200;
 
 /// The `vector` of the plane across the last normal, laid into the plane across `n`: projected and
 /// brought back to its length, which is the smallest turn that does it. Over many small turns of
@@ -28,8 +28,9 @@ inline Vec3 laid_into_plane(const Vec3& vector, const Vec3& n, double moves = 1.
 {
   const double along = moves * vector.dot(n);
   const double square = vector.squaredNorm() + no_square;
+  const double left = square - along * along;
   const double least = square / (longest_stretch * longest_stretch);
-  return std::sqrt(square / std::max(square - along * along, least)) * (vector - along * n);
+  return std::sqrt(square / (left > least ? left : least)) * (vector - along * n);
 }
 
 /// A turn about the normal.
@@ -56,7 +57,8 @@ constexpr double largest_quarter = 0.5;
 /// (turned as a whole before, it gains the part angle sqrt(k dt^2 / m) / 4 a step).
 inline Turn half_turn(double angle)
 {
-  const double quarter = std::clamp(0.25 * angle, -largest_quarter, largest_quarter);
+  const double below = 0.25 * angle < largest_quarter ? 0.25 * angle : largest_quarter;
+  const double quarter = below > -largest_quarter ? below : -largest_quarter;
   const double scale = 1.0 / (1.0 + quarter * quarter);
   return {(1.0 - quarter * quarter) * scale, 2.0 * quarter * scale};
 }

@@ -12,7 +12,7 @@ const Vec3 contact_normal(1.0, 0.0, 0.0);
 
 double advance(const Vec3& spin, double dt, Vec3& torque)
 {
-  return advance_rolling_torque(shear_stiffness, friction, radius, normal_force, spin, 0.0,
+  return advance_rolling_torque(shear_stiffness, friction, radius, normal_force, spin, Turn(),
                                 contact_normal, dt, torque);
 }
 
