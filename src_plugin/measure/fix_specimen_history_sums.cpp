@@ -94,7 +94,6 @@ void FixSpecimenHistory::check_grains(const Sums& sums)
             .c_str());
   // The host's own count forgets grains that `thermo_modify lost ignore` lets go.
   const auto grains = static_cast<LAMMPS_NS::bigint>(sums.grains);
-  const bool is_first = most_grains_ == 0;
   most_grains_ = std::max(most_grains_, grains);
   if (grains < most_grains_)
     error->fix_error(FLERR, this,
@@ -112,9 +111,10 @@ void FixSpecimenHistory::check_grains(const Sums& sums)
         FLERR, this,
         (std::to_string(static_cast<long>(outside)) + " grains are outside the walls at step " +
          std::to_string(update->ntimestep) +
-         (is_first ? ", where the history begins, which takes all grains of the box for one "
-                     "specimen: delete those that do not belong to it or set the walls about them"
-                   : ", slow the walls or raise the contact modulus"))
+         (update->ntimestep == update->firststep
+              ? ", where the run begins, and all grains of the box count as one specimen: delete "
+                "those that do not belong to it or set the walls about them"
+              : ", slow the walls or raise the contact modulus"))
             .c_str());
 }
 

@@ -1,63 +1,39 @@
 #include "shell/fix_mesh_surface_shell.h"
 
 #include "host/find_fix.h"
+#include "host/grain_arrays.h"
+#include "host/restart_block.h"
+#include "host/stop_run.h"
 #include "servo/find_platens.h"
+#include "shell/sleeve_input.h"
 
 #include "pair_gran.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace encased_column {
 
-const KeywordTable FixMeshSurfaceShell::keywords{
-    {"cylinder", 3, "m", "a generated sleeve about the z axis: radius, lower and upper end"},
-    {"edge", 1, "m", "edge of its facets, larger than zero"},
-    {"file", 1, "-",
-     "instead of `cylinder`: mesh from a .stl, .vtk or .vtp file, about an axis along z"},
-    {"type", 1, "-", "atom type that stands for the material of the sleeve"},
-    {"platens", 2, "-", "IDs of the upper and the lower `fix servo/platen`"},
-    {"modulus", 1, "Pa", "Young's modulus, of the hoop direction if `modulus_axial` is given"},
-    {"poisson", 1, "-", "Poisson's ratio, -1 to 0.5"},
-    {"thickness", 1, "m", "of the membrane, larger than zero"},
-    {"bending_thickness", 1, "m", "that bending feels, zero or larger (default: the thickness)"},
-    {"density", 1, "kg/m^3", "larger than zero"},
-    {"modulus_axial", 1, "Pa", "Young's modulus along the axis (default: isotropic)"},
-    {"shear_modulus", 1, "Pa", "needed with `modulus_axial`"},
-    {"tension_only", 1, "-",
-     "`yes`: the membrane wrinkles instead of bearing compression (default `no`)"},
-    {"top_end", 1, "-", "`held` (default), `clamped`, `radial`, `platen` or `free`"},
-    {"bottom_end", 1, "-", "the same for the lower end"},
-    {"rigid", 1, "-", "`yes`: the sleeve stands still until it is released by `no` (default)"},
-    {"pressure", 1, "Pa", "from outside, on what lies between the platens (default 0)"},
-    {"ramp", 1, "steps", "with `pressure`: it gets there linearly in so many steps"},
-    {"pressed", 1, "-", "`between` the platens (default) or `everywhere`"},
-    {"damping", 1, "-", "local damping alpha, 0 to 0.99 (default 0.7)"},
-    {"mass_scaling", 1, "-",
-     "`yes` (default): nodes as heavy as the step asks for; `no`: true masses"},
-    {"safety", 1, "-", "fraction f of the step sqrt(m/k), 0.01 to 1.9 (default 0.8)"},
-    {"every", 1, "steps", "how often masses and safety are looked at (default 50)"},
-    {"strain_limit", 1, "-",
-     "largest principal strain of a facet, with `tension_only` of stretch alone (default 0.5)"},
-    {"rupture", 1, "N/m", "hoop tension above which the log gets a warning (default: none)"},
-};
+const KeywordTable FixMeshSurfaceShell::keywords{sleeve_keywords(), {}};
 
 FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : ContactMemoryFix(lmp, narg, arg),
       desk_(lmp, ContactKind::sleeve)
 {
   try {
-    const Options options = keywords.read(narg, arg);
-    type_ = static_cast<int>(options.integer("type", 1));
+    on_fix_line_ = keywords.read(narg, arg);
+    type_ = static_cast<int>(on_fix_line_.integer("type", 1));
     if (type_ > atom->ntypes)
       throw InputError("'type' must be one of the " + std::to_string(atom->ntypes) +
                        " atom types, found " + std::to_string(type_) +
                        ", write a smaller one or make room in 'create_box'");
-    for (int n = 0; n < 2; ++n) platen_ids_[n] = options.all("platens").front()[n];
-    read_material(options);
-    read_mesh(options);
-    read_weighing(options);
-    read_changeable(options);
-    on_fix_line_ = options;
+    for (int n = 0; n < 2; ++n) platen_ids_[n] = on_fix_line_.all("platens").front()[n];
+    const ShellConstants constants = read_shell_constants(on_fix_line_);
+    sleeve_ =
+        std::make_unique<Sleeve>(read_sleeve_mesh(on_fix_line_), constants,
+                                 read_nodal_mass_rule(on_fix_line_), Rank{comm->me, comm->nprocs});
+    sleeve_->set_control(read_sleeve_control(on_fix_line_, {}), update->ntimestep);
+    read_pressure(on_fix_line_);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -69,6 +45,26 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
   size_vector = 15;
   global_freq = 1;
   extvector = 0;
+}
+
+void FixMeshSurfaceShell::read_pressure(const Options& options)
+{
+  if (options.has("pressure"))
+    sleeve_->set_pressure(options.number("pressure"), options.integer("ramp", 1, 1),
+                          update->ntimestep);
+}
+
+int FixMeshSurfaceShell::modify_param(int narg, char** arg)
+{
+  try {
+    const Options options = keywords.read(narg, arg, 0);
+    require_changeable(options);
+    sleeve_->set_control(read_sleeve_control(options, sleeve_->control()), update->ntimestep);
+    read_pressure(options);
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  return narg;
 }
 
 int FixMeshSurfaceShell::setmask()
@@ -83,7 +79,8 @@ void FixMeshSurfaceShell::init()
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
     desk_.open(rolling_);
-    find_platens(lmp, platen_ids_, platens_);
+    const std::string ids[2] = {platen_ids_[0], platen_ids_[1]};
+    find_platens(lmp, ids, platens_);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -94,6 +91,154 @@ HeightWindow FixMeshSurfaceShell::window() const
   // Before the first run, and when a platen was taken away, everything counts.
   if (!is_there(lmp, platens_[0]) || !is_there(lmp, platens_[1])) return {};
   return {platens_[1]->height(), platens_[0]->height()};
+}
+
+// Set-up repeats the forces of the step before: what contacts remember stays as it is.
+void FixMeshSurfaceShell::setup(int)
+{
+  take_loads(true);
+  finish_loads();
+  sleeve_->find_reactions();
+}
+
+void FixMeshSurfaceShell::initial_integrate(int)
+{
+  sleeve_->advance(update->dt, {platens_[0]->speed(), platens_[1]->speed()});
+}
+
+void FixMeshSurfaceShell::take_loads(bool at_set_up)
+{
+  sleeve_->start_loads(step_now(), window(), at_set_up);
+  desk_.ask_probes();
+  // Lists of pairs and of facets hold together: grains keep their numbers in between.
+  if (neighbor->ago == 0 || sleeve_->needs_list())
+    remember(sleeve_->list_grains(atom->nlocal ? atom->x[0] : nullptr, atom->radius, atom->nlocal,
+                                  neighbor->skin));
+  if (!sleeve_->has_grains_near()) return;
+  if (rolling_)
+    press<true>(!at_set_up);
+  else
+    press<false>(!at_set_up);
+}
+
+namespace {
+
+/// The grains of a group, as the sleeve looks at them.
+struct GrainsOfGroup {
+  const double* centers;
+  const double* radii;
+  const int* mask;
+  int groupbit;
+
+  bool counts(int i) const { return mask[i] & groupbit; }
+};
+
+}  // namespace
+
+template <bool rolling>
+void FixMeshSurfaceShell::press(bool advance_memory)
+{
+  const double step = static_cast<double>(update->ntimestep);
+  const GrainArrays grains(atom);
+  const auto law = [&](const SleeveContact& contact) -> SleeveReaction {
+    const int i = contact.grain;
+    const Touch touch{contact.merged.overlap,
+                      contact.merged.normal,
+                      grains.mass[i],
+                      {grains.radius[i], as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
+                      {0.0, contact.surface.velocity, contact.surface.spin}};
+    const ContactAction action = resolve_contact<rolling>(
+        stiffened(desk_.material(grains.type[i], type_), contact.merged), touch, update->dt, step,
+        advance_memory, contact_memory(contact.n));
+    desk_.bear_wall_contact(i, action.stiffness);
+    as_vec3(grains.force + 3 * i) += action.force;
+    as_vec3(grains.moment + 3 * i) += action.moment_i;
+    desk_.book(i, -1, 1.0, advance_memory, touch, action);
+    return {action.normal_force, action.force, action.moment_j,
+            std::max(action.stiffness.normal, action.stiffness.shear)};
+  };
+  const GrainsOfGroup group{grains.x, grains.radius, atom->mask, groupbit};
+  if (const auto behind = sleeve_->press_grains(group, law))
+    stop_from_one_rank(
+        lmp, sleeve_->sentence_of(*behind, atom->tag[behind->grain], id, update->ntimestep));
+}
+
+void FixMeshSurfaceShell::finish_loads()
+{
+  try {
+    sleeve_->finish_loads(step_now(), [this](double* numbers, std::size_t count) {
+      sum_over_ranks(numbers, count, world);
+    });
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+}
+
+void FixMeshSurfaceShell::final_integrate()
+{
+  finish_loads();
+  const long step = update->ntimestep;
+  if (!sleeve_->is_time_to_check(step)) return;
+  if (const auto fault = sleeve_->fault(step))
+    stop_from_one_rank(lmp, "at step " + std::to_string(step) + " " + *fault);
+  for (const std::string& sentence : sleeve_->warnings(window(), id, platen_ids_, step))
+    if (comm->me == 0) error->warning(FLERR, sentence.c_str());
+}
+
+double FixMeshSurfaceShell::compute_vector(int n)
+{
+  switch (n) {
+    case 0:
+      return pressure_now();
+    case 1:
+      return summary().hoop_tension;
+    case 2:
+      return summary().hoop_tension_max;
+    case 3:
+      return summary().hoop_strain;
+    case 4:
+      return summary().hoop_strain_max;
+    case 5:
+      return axial_force(true);
+    case 6:
+      return axial_force(false);
+    case 7:
+      return friction_force();
+    case 8:
+      return enclosed_volume(window().low, window().high);
+    case 9:
+      return stored_energy();
+    case 10:
+      return kinetic_energy();
+    case 11:
+      return work();
+    case 12:
+      return damping_loss();
+    case 13:
+      return sleeve_->mass_factor();
+    default:
+      return static_cast<double>(sleeve_->ramp_left(update->ntimestep));
+  }
+}
+
+void FixMeshSurfaceShell::write_restart(FILE* file)
+{
+  const double pressure_work = sum_over_ranks(sleeve_->pressure_work(), world);
+  if (comm->me == 0) write_block(file, sleeve_->state(pressure_work));
+}
+
+// The sleeve goes on as it was, but for what the fix line says.
+void FixMeshSurfaceShell::restart(char* buffer)
+{
+  try {
+    RestartBlock block(buffer);
+    std::vector<double> state(block.left());
+    block.take(state.data(), state.size());
+    sleeve_->restore(state);
+    read_pressure(on_fix_line_);
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column

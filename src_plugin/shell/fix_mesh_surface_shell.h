@@ -3,24 +3,20 @@
 #include "contact/contact_desk.h"
 #include "core/keyword_table.h"
 #include "host/contact_memory_fix.h"
+#include "host/rank_sums.h"
 #include "servo/specimen_side.h"
-#include "shell/pressure_load.h"
-#include "shell/sleeve_contacts.h"
-#include "shell/sleeve_end.h"
-#include "shell/sleeve_state.h"
+#include "shell/sleeve.h"
 
 #include <array>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace encased_column {
 
 class FixServoPlaten;
 
-/// A deformable sleeve around the specimen: shell elements in two-way contact with the grains, a
-/// pressure from outside, ends held in one of several ways. Every rank knows all nodes; facets and
-/// contacts are divided, and their loads summed once a step.
+/// A sleeve around the specimen in two-way contact with the grains. Every rank knows all nodes;
+/// facets and contacts are divided, and their loads summed once a step.
 class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
  public:
   static const KeywordTable keywords;
@@ -31,90 +27,58 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   void init() override;
   void setup(int) override;
   void initial_integrate(int) override;
-  void post_force(int) override { take_loads(true); }
+  void post_force(int) override { take_loads(false); }
   void final_integrate() override;
   int modify_param(int narg, char** arg) override;
   double compute_vector(int n) override;
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
-  Vec3 axis() const override { return axis_; }
-  double enclosed_volume(double z_low, double z_high) const override;
-  double cross_section(double z) const override;
-  double radius_at(double z) const override;
-  double confining_stress() const override { return pressure_now(); }
-  double work() const override;
-  double stored_energy() const override;
-  double kinetic_energy() const override;
-  double damping_loss() const override { return damping_loss_; }
-  int count_outside(const double* centers, int count, double z_low, double z_high) const override;
-
-  const ShellModel& model() const { return *model_; }
-  /// Between the platens [m].
-  HeightWindow window() const;
-  double pressure_now() const { return pressure_.at(update->ntimestep); }
-  SleeveSummary summary() const { return summary_of(*model_, window()); }
-  /// What the supports of an end take along z, on the sleeve [N].
-  double axial_force(bool top) const;
-  /// Vertical force of all grains on the sleeve [N]; the same on every rank.
-  double friction_force() const;
-
- private:
-  void read_mesh(const Options& options);
-  void read_weighing(const Options& options);
-  void require_upright(const SurfaceMesh& mesh) const;
-  void read_material(const Options& options);
-  void read_changeable(const Options& options);
-  void read_pressure(const Options& options);
-  void place_supports();
-  void restore(class RestartBlock& block);
-
-  void take_loads(bool advance_memory);
-  void press_grains(bool advance_memory);
-  template <bool rolling>
-  void press(bool advance_memory);
-  void close_loads();
-  void weigh();
-  void check();
-  void warn_of_platens_outside();
-  void warn_of_rupture();
-  void warn(const std::string& sentence);
-  double level_inside(double z) const;
-  long steps_since_release() const
+  Vec3 axis() const override { return sleeve_->axis(); }
+  double enclosed_volume(double z_low, double z_high) const override
   {
-    return released_ < 0 ? -1 : static_cast<long>(update->ntimestep - released_);
+    return sleeve_->enclosed_volume({z_low, z_high});
+  }
+  double cross_section(double z) const override { return sleeve_->cross_section(z); }
+  double radius_at(double z) const override { return sleeve_->radius_at(z); }
+  double confining_stress() const override { return pressure_now(); }
+  double work() const override
+  {
+    return sum_over_ranks(sleeve_->pressure_work(), world) + sleeve_->support_work();
+  }
+  double stored_energy() const override { return sum_over_ranks(sleeve_->energy(), world); }
+  double kinetic_energy() const override { return model().kinetic_energy(); }
+  double damping_loss() const override { return sleeve_->damping_loss(); }
+  int count_outside(const double* centers, int count, double z_low, double z_high) const override
+  {
+    return sleeve_->count_outside(centers, count, {z_low, z_high});
   }
 
-  std::string platen_ids_[2];
+  const ShellModel& model() const { return sleeve_->model(); }
+  /// Between the platens [m].
+  HeightWindow window() const;
+  double pressure_now() const { return sleeve_->pressure(update->ntimestep); }
+  SleeveSummary summary() const { return summary_of(model(), window()); }
+  /// What the supports of an end take along z, on the sleeve [N].
+  double axial_force(bool top) const { return sleeve_->axial_force(top); }
+  /// Vertical force of all grains on the sleeve [N]; the same on every rank.
+  double friction_force() const { return sum_over_ranks(sleeve_->vertical_force(), world); }
+
+ private:
+  SleeveStep step_now() const { return {update->ntimestep, update->dt}; }
+  void read_pressure(const Options& options);
+  void take_loads(bool at_set_up);
+  template <bool rolling>
+  void press(bool advance_memory);
+  void finish_loads();
+
+  std::array<std::string, 2> platen_ids_;
   FixServoPlaten* platens_[2] = {nullptr, nullptr};  ///< top, bottom
-  std::unique_ptr<ShellModel> model_;
-  ShellConstants constants_;
-  std::vector<std::array<int, 2>> pairs_;  ///< neighbouring facets
-  std::vector<int> end_nodes_[2];          ///< top, bottom
-  SleeveEnd ends_[2] = {SleeveEnd::held, SleeveEnd::held};
-  std::size_t first_bottom_support_ = 0;
-  Vec3 axis_ = Vec3::Zero();
-  int first_ = 0, last_ = 0;  ///< facets of this rank
-
-  int type_ = 0;
-  bool rigid_ = false, everywhere_ = false, scale_masses_ = true, rolling_ = false;
-  double damping_ = 0.7, safety_ = 0.8, strain_limit_ = 0.5, rupture_ = 0.0;
-  int every_ = 50;
-  LAMMPS_NS::bigint released_ = -1;  ///< step of the release from being rigid, below 0: none
-  bool rupture_told_ = false, platen_told_[2] = {false, false};
-  PressureRamp pressure_{0.0};
   Options on_fix_line_;
-
+  int type_ = 0;
+  bool rolling_ = false;
+  std::unique_ptr<Sleeve> sleeve_;
   ContactDesk desk_;
-  SleeveContacts contacts_;
-  std::vector<StiffnessBound> facet_bound_, contact_bound_;
-  bool weighing_ = false;
-  double weighed_step_ = 0.0;  ///< length of the step the masses were made for [s]
-  double mass_factor_ = 1.0;
-  double energy_ = 0.0;         ///< of this rank's facets [J]
-  double pressure_work_ = 0.0;  ///< of this rank's facets [J]
-  double support_work_ = 0.0, damping_loss_ = 0.0;
-  double vertical_force_ = 0.0;  ///< of this rank's grains on the sleeve [N]
 };
 
 }  // namespace encased_column

@@ -2,6 +2,7 @@
 
 #include "core/input_error.h"
 
+#include <vtkLogger.h>
 #include <vtkObject.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -47,9 +48,11 @@ vtkStandardNewMacro(Complaints)
   {
     vtkOutputWindow::SetInstance(complaints_);
     vtkObject::GlobalWarningDisplayOn();
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   }
   ~Listening()
   {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);  // its default
     vtkObject::SetGlobalWarningDisplay(displays_);
     vtkOutputWindow::SetInstance(before_);
   }

@@ -12,7 +12,7 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
                           int grains, double margin)
 {
   margin_ = margin;
-  look_at(model);
+  find_planes(model);
   listed_position_ = model.position();
   grid_.sort(model.facet(), model.position());
   grain_.clear();
@@ -45,7 +45,7 @@ bool SleeveContacts::is_stale(const ShellModel& model) const
 }
 
 // A facet is near some ten grains.
-void SleeveContacts::look_at(const ShellModel& model)
+void SleeveContacts::find_planes(const ShellModel& model)
 {
   planes_.resize(model.facets());
   for (int f = 0; f < model.facets(); ++f) {
@@ -72,7 +72,7 @@ bool SleeveContacts::touches(const ShellModel& model, int n, const Vec3& center,
     facets_.push_back({f, weight, way / distance, radius - distance, 0.0, 0.0});
   }
   if (facets_.empty()) return false;
-  touch_ = join_touches(facets_);
+  merged_ = merge_touches(facets_);
   return true;
 }
 
@@ -125,6 +125,8 @@ void SleeveContacts::press(ShellModel& model, double normal_force, const Vec3& s
   }
 }
 
+// 2 k w for the node of weight w, so that the bounds of a node, with the grain on the other side,
+// stay above the largest eigenvalue.
 void SleeveContacts::add_stiffness(const ShellModel& model, double stiffness,
                                    std::vector<StiffnessBound>& bound) const
 {

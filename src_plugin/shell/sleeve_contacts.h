@@ -1,18 +1,41 @@
 #pragma once
 
+#include "contact/resolve_contact.h"
 #include "shell/contact_to_nodes.h"
 #include "shell/facet_grid.h"
+#include "shell/merged_contact.h"
 #include "shell/shell_model.h"
-#include "shell/smooth_overlap.h"
 
+#include <optional>
 #include <vector>
 
 namespace encased_column {
 
 /// Motion of the sleeve's surface at a contact.
 struct SurfaceMotion {
-  Vec3 velocity;  ///< [m/s]
-  Vec3 spin;      ///< [rad/s]
+  Vec3 velocity = Vec3::Zero();  ///< [m/s]
+  Vec3 spin = Vec3::Zero();      ///< [rad/s]
+};
+
+/// A grain that touches the sleeve, as the contact law sees it.
+struct SleeveContact {
+  int n;      ///< its place in the list
+  int grain;  ///< its number
+  const MergedContact& merged;
+  SurfaceMotion surface;  ///< the motion on which shear force and moment do their work
+};
+
+/// What the contact law answers.
+struct SleeveReaction {
+  double normal_force;  ///< [N]
+  Vec3 force;           ///< on the grain [N]
+  Vec3 moment;          ///< on the sleeve [N m]
+  double stiffness;     ///< larger one of the contact's springs [N/m]
+};
+
+/// A grain whose center lies behind the facet it is deepest in.
+struct GrainBehind {
+  int grain, facet;
 };
 
 /// Contacts of grains with a sleeve: which facets are near each grain, how a grain and they
@@ -25,37 +48,39 @@ class SleeveContacts {
             double margin);
   /// True once a node has moved more than half the margin since list().
   bool is_stale(const ShellModel& model) const;
-
   /// Listed grains, in the order of their numbers.
-  int size() const { return static_cast<int>(grain_.size()); }
-  int grain(int n) const { return grain_[n]; }
   const std::vector<int>& grains() const { return grain_; }
 
-  /// Before touches(), where nodes have moved since list().
-  void look_at(const ShellModel& model);
-  /// Looks whether listed grain n, now at `center` [m], touches. The touch stays with this object
-  /// until the next call, for those below.
-  bool touches(const ShellModel& model, int n, const Vec3& center, double radius);
-  const SmoothTouch& touch() const { return touch_; }
-  /// True where the center lies behind the facet it is deepest in.
-  bool is_behind(const ShellModel& model) const;
-  /// A facet of the touch.
-  int facet() const { return facets_.front().facet; }
-  /// Takes `point` [m] as the place of the contact, for the two calls below.
-  void take_point(const ShellModel& model, const Vec3& point);
-  /// How the surface moves there: the motion on which shear force and moment of press() do their
-  /// work.
-  SurfaceMotion surface_motion(const ShellModel& model) const;
-  /// Gives the sleeve what it feels of the touch: the normal force [N] along the facets'
-  /// directions, and there the shear force [N] and the moment [N m]. Nodal forces are statically
-  /// equivalent.
-  void press(ShellModel& model, double normal_force, const Vec3& shear, const Vec3& moment) const;
-
-  /// Adds to `bound` what a contact of this stiffness [N/m] adds to its nodes: 2 k w for the node
-  /// of weight w, so that the bounds of a node, with the grain on the other side, stay above the
-  /// largest eigenvalue.
-  void add_stiffness(const ShellModel& model, double stiffness,
-                     std::vector<StiffnessBound>& bound) const;
+  /// For each listed grain that touches, asks `law`, a SleeveReaction of a SleeveContact, and gives
+  /// the sleeve what it feels: the normal force along the facets' directions, shear force and
+  /// moment at the contact; nodal forces are statically equivalent. Grains tells `centers`, `radii`
+  /// and whether a grain `counts(i)`. A sleeve that stands still takes no load: `moves` is false.
+  /// With `bound`, adds to it what each contact adds to the stiffness of its nodes. Ends at the
+  /// first grain that is behind the sleeve.
+  template <typename Grains, typename Law>
+  std::optional<GrainBehind> resolve(ShellModel& model, bool moves, const Grains& grains,
+                                     std::vector<StiffnessBound>* bound, const Law& law)
+  {
+    if (grain_.empty()) return {};
+    if (moves) find_planes(model);
+    for (int n = 0; n < static_cast<int>(grain_.size()); ++n) {
+      const int i = grain_[n];
+      const double radius = grains.radii[i];
+      const Vec3 center = as_vec3(grains.centers + 3 * i);
+      if (!grains.counts(i) || !touches(model, n, center, radius)) continue;
+      if (is_behind(model)) return GrainBehind{i, facets_.front().facet};
+      SleeveContact contact{n, i, merged_, {}};
+      if (moves) {
+        take_point(model, center + contact_arm(radius, merged_.overlap) * merged_.normal);
+        contact.surface = surface_motion(model);
+      }
+      const SleeveReaction reaction = law(contact);
+      const Vec3 shear = -reaction.force - reaction.normal_force * merged_.normal;
+      if (moves) press(model, reaction.normal_force, shear, reaction.moment);
+      if (bound) add_stiffness(model, reaction.stiffness, *bound);
+    }
+    return {};
+  }
 
  private:
   /// Of a facet: points p on it have normal . p = offset.
@@ -64,14 +89,24 @@ class SleeveContacts {
     double offset, square;  ///< length squared
   };
 
+  void find_planes(const ShellModel& model);
+  bool touches(const ShellModel& model, int n, const Vec3& center, double radius);
+  bool is_behind(const ShellModel& model) const;
+  void take_point(const ShellModel& model, const Vec3& point);
+  SurfaceMotion surface_motion(const ShellModel& model) const;
+  void press(ShellModel& model, double normal_force, const Vec3& shear, const Vec3& moment) const;
+  void add_stiffness(const ShellModel& model, double stiffness,
+                     std::vector<StiffnessBound>& bound) const;
+
   FacetGrid grid_;
   std::vector<Plane> planes_;
   double margin_ = 0.0;
   std::vector<Vec3> listed_position_;
   std::vector<int> grain_, begin_, near_;
+  // Of the contact at hand:
   std::vector<FacetTouch> facets_;
-  std::vector<FacetLever> levers_;  ///< of the same facets
-  SmoothTouch touch_{};
+  std::vector<FacetLever> levers_;
+  MergedContact merged_{};
 };
 
 }  // namespace encased_column

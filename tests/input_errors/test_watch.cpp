@@ -20,13 +20,14 @@ run 200
 
 TEST(Watch, StopsWhereTheCenterOfAGrainIsBeyondTheCylinder)
 {
-  expect_refused("grain_stack",
-                 "create_atoms 1 single 0.045 0 0.05 units box\n"
-                 "set group all diameter 0.02 density 2500\n" +
-                     watched,
-                 "1 grains are outside the walls at step 0, where the history begins, which takes "
-                 "all grains of the box for one specimen: delete those that do not belong to it or "
-                 "set the walls about them");
+  expect_refused(
+      "grain_stack",
+      "create_atoms 1 single 0.045 0 0.05 units box\n"
+      "set group all diameter 0.02 density 2500\n" +
+          watched,
+      "1 grains are outside the walls at step 0, where the run begins, and all grains of the "
+      "box count as one specimen: delete those that do not belong to it or set the walls "
+      "about them");
 }
 
 TEST(Watch, StopsWhereTheCenterOfAGrainIsBeyondAPlaten)

@@ -40,9 +40,48 @@ inline ShellModel crumpled_tube(double amount)
 }
 
 /// Energy [J] of a touch whose facets have the stiffness `k` [N/m].
-inline double energy_of(const SmoothTouch& touch, double k)
+inline double energy_of(const MergedContact& touch, double k)
 {
   return 0.5 * k * touch.stiffening * touch.overlap * touch.overlap;
+}
+
+/// Grains of one radius.
+struct SomeGrains {
+  const double* centers;
+  std::vector<double> radii;
+
+  bool counts(int) const { return true; }
+};
+
+/// What one grain at `center` did, or that it is behind the sleeve.
+struct Seen {
+  bool touches = false, behind = false;
+  MergedContact merged{};
+  SurfaceMotion surface;
+};
+
+/// Lists one grain of `radius` [m] and lets it press by `law`, a SleeveReaction of a SleeveContact.
+template <typename Law>
+Seen press_one(ShellModel& model, const Vec3& center, double radius, const Law& law,
+               std::vector<StiffnessBound>* bound = nullptr)
+{
+  SleeveContacts contacts;
+  contacts.list(model, center.data(), &radius, 1, 0.001);
+  Seen seen;
+  const auto behind = contacts.resolve(model, true, SomeGrains{center.data(), {radius}}, bound,
+                                       [&](const SleeveContact& contact) {
+                                         seen.touches = true;
+                                         seen.merged = contact.merged;
+                                         seen.surface = contact.surface;
+                                         return law(contact);
+                                       });
+  seen.behind = behind.has_value();
+  return seen;
+}
+
+inline SleeveReaction no_reaction(const SleeveContact&)
+{
+  return {0.0, Vec3::Zero(), Vec3::Zero(), 0.0};
 }
 
 }  // namespace encased_column

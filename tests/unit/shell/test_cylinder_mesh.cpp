@@ -164,7 +164,7 @@ TEST(RequireSleeve, NamesADoubleFacetAndABranchAsWhatTheyAre)
       << refusal(mesh);
   mesh = cylinder_mesh(sleeve());
   mesh.node.emplace_back(0.2, 0.0, 0.1);
-  mesh.facet.push_back({first[1], first[0], static_cast<int>(mesh.node.size()) - 1});
+  mesh.facet.push_back({first[2], first[1], static_cast<int>(mesh.node.size()) - 1});
   EXPECT_NE(refusal(mesh).find("an edge of the mesh must join two facets at most"),
             std::string::npos)
       << refusal(mesh);

@@ -78,34 +78,35 @@ void BagOfGrains::book(const ContactAction& action)
   losses_ += action.friction_loss + action.rolling_loss + action.dashpot_loss;
 }
 
-// As in FixMeshSurfaceShell::press.
 void BagOfGrains::press_sleeve()
 {
-  contacts_.look_at(model_);
-  for (int n = 0; n < contacts_.size(); ++n) {
-    const int i = contacts_.grain(n);
-    Grain& g = grain_[i];
-    if (!contacts_.touches(model_, n, g.x, radius)) continue;
-    if (contacts_.is_behind(model_)) throw std::runtime_error("a grain left the bag");
-    const SmoothTouch& smooth = contacts_.touch();
-    const Vec3 point = g.x + contact_arm(radius, smooth.overlap) * smooth.normal;
-    contacts_.take_point(model_, point);
-    const SurfaceMotion surface = contacts_.surface_motion(model_);
-    const Touch touch{smooth.overlap,
-                      smooth.normal,
-                      mass,
-                      {radius, g.v, g.w},
-                      {0.0, surface.velocity, surface.spin}};
-    const ContactAction action =
-        resolve_contact<true>(stiffened(material_, smooth), touch, dt_, static_cast<double>(step_),
-                              true, sleeve_memory_[i]);
-    g.force += action.force;
-    g.moment += action.moment_i;
-    contacts_.press(model_, action.normal_force,
-                    -action.force - action.normal_force * smooth.normal, action.moment_j);
-    book(action);
-    ++sleeve_contacts_;
-  }
+  struct Bag {
+    const double* centers;
+    std::array<double, grains> radii;
+    bool counts(int) const { return true; }
+  };
+  std::array<Vec3, grains> center;
+  for (int i = 0; i < grains; ++i) center[i] = grain_[i].x;
+  Bag bag{center.front().data(), {}};
+  bag.radii.fill(radius);
+  const auto behind = contacts_.resolve(
+      model_, true, bag, nullptr, [this](const SleeveContact& contact) -> SleeveReaction {
+        Grain& g = grain_[contact.grain];
+        const Touch touch{contact.merged.overlap,
+                          contact.merged.normal,
+                          mass,
+                          {radius, g.v, g.w},
+                          {0.0, contact.surface.velocity, contact.surface.spin}};
+        const ContactAction action =
+            resolve_contact<true>(stiffened(material_, contact.merged), touch, dt_,
+                                  static_cast<double>(step_), true, sleeve_memory_[contact.grain]);
+        g.force += action.force;
+        g.moment += action.moment_i;
+        book(action);
+        ++sleeve_contacts_;
+        return {action.normal_force, action.force, action.moment_j, action.stiffness.normal};
+      });
+  if (behind) throw std::runtime_error("a grain left the bag");
 }
 
 void BagOfGrains::press_pairs()

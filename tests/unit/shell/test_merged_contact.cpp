@@ -1,4 +1,4 @@
-#include "shell/smooth_overlap.h"
+#include "shell/merged_contact.h"
 
 #include "sleeve_cases.h"
 
@@ -15,23 +15,19 @@ class RollingSphere {
  public:
   RollingSphere() : model_(crumpled_tube(0.002)) {}
 
-  SmoothTouch touch(const Vec3& center)
+  MergedContact touch(const Vec3& center)
   {
-    const double radius = 0.01;
-    contacts_.list(model_, center.data(), &radius, 1, 0.0);
-    return contacts_.size() > 0 && contacts_.touches(model_, 0, center, radius) ? contacts_.touch()
-                                                                                : SmoothTouch{};
+    return press_one(model_, center, 0.01, no_reaction).merged;
   }
   double energy(const Vec3& center) { return energy_of(touch(center), stiffness); }
   Vec3 force(const Vec3& center)
   {
-    const SmoothTouch t = touch(center);
+    const MergedContact t = touch(center);
     return -stiffness * t.stiffening * t.overlap * t.normal;
   }
 
  private:
   ShellModel model_;
-  SleeveContacts contacts_;
 };
 
 /// A place on a path that winds along and round the tube, over facets, edges and nodes, with the
@@ -44,10 +40,10 @@ Vec3 on_the_path(double s)
 
 }  // namespace
 
-TEST(SmoothOverlap, OfOneFacetIsTheOverlapItself)
+TEST(MergedContact, OfOneFacetIsTheOverlapItself)
 {
   std::vector<FacetTouch> one{{7, Vec3::UnitX(), Vec3::UnitZ(), 0.001, 0.0, 0.0}};
-  const SmoothTouch touch = join_touches(one);
+  const MergedContact touch = merge_touches(one);
   EXPECT_EQ(touch.overlap, 0.001);
   EXPECT_EQ(touch.stiffening, 1.0);
   EXPECT_EQ(touch.normal, Vec3(Vec3::UnitZ()));
@@ -57,11 +53,11 @@ TEST(SmoothOverlap, OfOneFacetIsTheOverlapItself)
 
 // Over an edge between two facets of one plane both have the overlap o. V = k (2^(1/8) o)^2 / 2:
 // the energy is that of a spring 2^(1/4) as stiff at the overlap that the surface really has.
-TEST(SmoothOverlap, OfTwoEqualFacetsOfOnePlaneKeepsTheOverlapAndStiffensByTheFourthRootOfTwo)
+TEST(MergedContact, OfTwoEqualFacetsOfOnePlaneKeepsTheOverlapAndStiffensByTheFourthRootOfTwo)
 {
   const FacetTouch touch{0, Vec3::UnitX(), Vec3::UnitZ(), 0.001, 0.0, 0.0};
   std::vector<FacetTouch> two{touch, touch};
-  const SmoothTouch joined = join_touches(two);
+  const MergedContact joined = merge_touches(two);
   EXPECT_NEAR(joined.overlap / 0.001, 1.0, 1e-14);
   EXPECT_NEAR(joined.stiffening, std::pow(2.0, 0.25), 1e-14);
   const double largest = std::pow(2.0, 0.125) * 0.001;
@@ -70,14 +66,14 @@ TEST(SmoothOverlap, OfTwoEqualFacetsOfOnePlaneKeepsTheOverlapAndStiffensByTheFou
   EXPECT_NEAR(two[1].pull, 0.5, 1e-15);
 }
 
-TEST(SmoothOverlap, PullsOfAllFacetsAddUpToTheNormal)
+TEST(MergedContact, PullsOfAllFacetsAddUpToTheNormal)
 {
   RandomVectors random(5);
   std::vector<FacetTouch> touches;
   for (int n = 0; n < 5; ++n)
     touches.push_back({n, Vec3::UnitX(), (Vec3::UnitZ() + 0.3 * random()).normalized(),
                        1e-3 * (1.2 + random().x()), 0.0, 0.0});
-  const SmoothTouch joined = join_touches(touches);
+  const MergedContact joined = merge_touches(touches);
   Vec3 sum = Vec3::Zero();
   double shares = 0.0;
   for (const FacetTouch& t : touches) {
@@ -89,11 +85,11 @@ TEST(SmoothOverlap, PullsOfAllFacetsAddUpToTheNormal)
   EXPECT_NEAR(shares, 1.0, 1e-14);
 }
 
-TEST(SmoothOverlap, AFacetThatIsOnlyJustTouchedChangesNothing)
+TEST(MergedContact, AFacetThatIsOnlyJustTouchedChangesNothing)
 {
   const FacetTouch deep{0, Vec3::UnitX(), Vec3::UnitZ(), 0.001, 0.0, 0.0};
   std::vector<FacetTouch> two{deep, {1, Vec3::UnitY(), Vec3::UnitX(), 1e-12, 0.0, 0.0}};
-  const SmoothTouch joined = join_touches(two);
+  const MergedContact joined = merge_touches(two);
   EXPECT_DOUBLE_EQ(joined.overlap, 0.001);
   EXPECT_LT((joined.normal - Vec3::UnitZ()).norm(), 1e-14);
 }
@@ -106,7 +102,7 @@ TEST(RollingSphere, FeelsMinusTheGradientOfTheEnergyAlsoOverEdgesAndNodes)
   int joined = 0;
   for (double s = 0.0; s < 1.0; s += 0.003) {
     const Vec3 x = on_the_path(s), force = sphere.force(x);
-    const SmoothTouch touch = sphere.touch(x);
+    const MergedContact touch = sphere.touch(x);
     deepest = std::max(deepest, touch.overlap);
     if (touch.stiffening > 1.05) ++joined;
     for (int a = 0; a < 3; ++a) {

@@ -15,12 +15,12 @@ struct FacetTouch {
   Vec3 weight;     ///< area coordinates of the facet's nearest point [-]
   Vec3 direction;  ///< unit, from the center to that point
   double overlap;  ///< radius less distance, larger than zero [m]
-  double pull;     ///< of the normal force, along `direction` [-]; set by join_touches()
-  double share;    ///< of shear force and wall velocity, sums to 1 [-]; set by join_touches()
+  double pull;     ///< of the normal force, along `direction` [-]; set by merge_touches()
+  double share;    ///< of shear force and wall velocity, sums to 1 [-]; set by merge_touches()
 };
 
 /// The one contact that all of them make.
-struct SmoothTouch {
+struct MergedContact {
   double overlap;     ///< [m]
   Vec3 normal;        ///< unit, from the center to the surface
   double stiffening;  ///< factor on the normal stiffness, at most n^(1/4) for n facets [-]
@@ -39,7 +39,7 @@ struct SmoothTouch {
 /// of a contact of overlap o / g and stiffness k g^2, g = |sum w_i d_i|: of the same force and
 /// energy, with the overlap that the surface really has. (Adding up the facets' own forces would
 /// double the stiffness over every edge; taking the deepest facet would make the normal jump.)
-inline SmoothTouch join_touches(std::vector<FacetTouch>& touches)
+inline MergedContact merge_touches(std::vector<FacetTouch>& touches)
 {
   if (touches.size() == 1) {
     touches[0].pull = touches[0].share = 1.0;
@@ -71,9 +71,9 @@ inline SmoothTouch join_touches(std::vector<FacetTouch>& touches)
   return {overlap / length, gradient / length, length * length};
 }
 
-/// The material of the one contact that joined touches make: stiffer along the normal; its shear
+/// The material of the one contact that merged touches make: stiffer along the normal; its shear
 /// spring is the same on facets and edges, else it would gain energy where it stiffens.
-inline ContactMaterial stiffened(ContactMaterial material, const SmoothTouch& touch)
+inline ContactMaterial stiffened(ContactMaterial material, const MergedContact& touch)
 {
   material.modulus *= touch.stiffening;
   material.stiffness_ratio *= touch.stiffening;

@@ -1,0 +1,168 @@
+#pragma once
+
+#include "core/constants.h"
+#include "shell/pressure_load.h"
+#include "shell/sleeve_contacts.h"
+#include "shell/sleeve_end.h"
+#include "shell/sleeve_state.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// What a deck may change of a sleeve from run to run.
+struct SleeveControl {
+  std::array<SleeveEnd, 2> ends{SleeveEnd::held, SleeveEnd::held};  ///< top, bottom
+  bool rigid = false;               ///< stands still and bears any load
+  bool pressed_everywhere = false;  ///< else between the platens
+  double damping = 0.7;             ///< local damping alpha [-]
+  double strain_limit = 0.5;        ///< [-]
+  double rupture = 0.0;             ///< hoop tension that is warned of [N/m], 0: none
+};
+
+/// How the masses of the nodes are found.
+struct NodalMassRule {
+  bool scaled = true;   ///< as heavy as the step asks for; else the true ones
+  double safety = 0.8;  ///< fraction of the step sqrt(m/k) [-]
+  int every = 50;       ///< [steps]
+};
+
+/// The part of a machine that a sleeve is on: nodes are known to all, facets are divided.
+struct Rank {
+  int number = 0, count = 1;
+};
+
+/// A step, or its set-up, which repeats the forces of the one before.
+struct SleeveStep {
+  long number;
+  double length;  ///< [s]
+};
+
+/// A deformable sleeve around a specimen: mesh, material, masses, ends, the pressure from outside
+/// and the contacts with grains.
+///
+/// A step is advance(); start_loads(); press_grains(); finish_loads(). A set-up is the last three.
+/// `sum` adds numbers up over the ranks, in place. No step allocates memory.
+class Sleeve {
+ public:
+  /// Throws InputError where the mesh is no upright sleeve, or for a material without energy.
+  Sleeve(const SurfaceMesh& mesh, const ShellConstants& constants, const NodalMassRule& rule,
+         Rank rank = {});
+
+  const SleeveControl& control() const { return control_; }
+  void set_control(const SleeveControl& control, long step);
+  /// The pressure heads for `target` [Pa] over `steps` steps.
+  void set_pressure(double target, long steps, long now) { pressure_.set(target, steps, now); }
+  double pressure(long step) const { return pressure_.at(step); }
+  long ramp_left(long step) const { return pressure_.steps_left(step); }
+
+  /// Moves the nodes; the platens go inwards with these speeds [m/s], the top one first.
+  void advance(double dt, const std::array<double, 2>& platen_speeds);
+  /// Takes the loads of its facets and of the pressure, on what lies in `window`.
+  void start_loads(const SleeveStep& step, const HeightWindow& window, bool at_set_up);
+
+  /// True once the list below must be made again.
+  bool needs_list() const { return contacts_.is_stale(model_); }
+  /// Lists the grains near by, see SleeveContacts::list(); returns their numbers.
+  const std::vector<int>& list_grains(const double* centers, const double* radii, int grains,
+                                      double margin);
+  bool has_grains_near() const { return !contacts_.grains().empty(); }
+  /// Takes the loads of the grains, see SleeveContacts::resolve().
+  template <typename Grains, typename Law>
+  std::optional<GrainBehind> press_grains(const Grains& grains, const Law& law)
+  {
+    return contacts_.resolve(model_, !control_.rigid, grains,
+                             updates_masses_ ? &contact_bound_ : nullptr,
+                             [&](const SleeveContact& contact) {
+                               const SleeveReaction reaction = law(contact);
+                               vertical_force_ -= reaction.force.z();
+                               return reaction;
+                             });
+  }
+  /// Adds the loads up and finds the masses where it is time to. Throws InputError where the step
+  /// is too long for true masses.
+  template <typename Sum>
+  void finish_loads(const SleeveStep& step, const Sum& sum)
+  {
+    if (control_.rigid) return;
+    std::vector<Vec3>& load = model_.load();
+    if (rank_.count > 1) sum(load.front().data(), 3 * load.size());
+    if (!updates_masses_) return;
+    if (find_facet_bound(step)) sum(&facet_bound_.front().translation, 2 * facet_bound_.size());
+    sum(&contact_bound_.front().translation, 2 * contact_bound_.size());
+    update_nodal_masses(step);
+  }
+  /// What the supports bear of the loads as they stand, for what looks before the first step.
+  void find_reactions();
+
+  /// What is wrong with the facets of this rank; looked for where `is_time_to_check`.
+  bool is_time_to_check(long step) const;
+  std::optional<std::string> fault(long step) const;
+  /// The sentence for a grain that is behind the sleeve, `tag` to the user.
+  std::string sentence_of(const GrainBehind& behind, long tag, const std::string& id,
+                          long step) const;
+  /// What the log is to be told, each thing once.
+  std::vector<std::string> warnings(const HeightWindow& window, const std::string& id,
+                                    const std::array<std::string, 2>& platens, long step);
+
+  const ShellModel& model() const { return model_; }
+  const std::vector<int>& end_nodes(bool top) const { return end_nodes_[top ? 0 : 1]; }
+  const Vec3& axis() const { return axis_; }  ///< a point of the center line [m]
+  double enclosed_volume(const HeightWindow& window) const;
+  double cross_section(double z) const;  ///< [m^2]
+  double radius_at(double z) const { return std::sqrt(cross_section(z) / pi); }  ///< mean [m]
+  /// How many of `count` centers in a row of triples [m] are not inside, within the window.
+  int count_outside(const double* centers, int count, const HeightWindow& window) const;
+  double axial_force(bool top) const;  ///< on the sleeve by the supports of an end, along z [N]
+  double mass_factor() const { return mass_factor_; }
+
+  // Of this rank alone:
+  double energy() const { return energy_; }                  ///< elastic [J]
+  double vertical_force() const { return vertical_force_; }  ///< of the grains on the sleeve [N]
+  double pressure_work() const { return pressure_work_; }    ///< [J]
+  // The same on every rank:
+  double support_work() const { return support_work_; }  ///< [J]
+  double damping_loss() const { return damping_loss_; }  ///< with what rising masses took [J]
+
+  /// All that a run needs to go on bit by bit; `pressure_work` is that of all ranks.
+  std::vector<double> state(double pressure_work) const;
+  /// Throws InputError where the numbers are of another mesh.
+  void restore(const std::vector<double>& state);
+
+ private:
+  void require_upright() const;
+  void place_supports();
+  bool find_facet_bound(const SleeveStep& step);
+  void update_nodal_masses(const SleeveStep& step);
+  double level_inside(double z) const;
+  long steps_since_release(long step) const { return released_ < 0 ? -1 : step - released_; }
+
+  NodalMassRule rule_;
+  Rank rank_;
+  ShellModel model_;
+  std::vector<std::array<int, 2>> pairs_;  ///< neighbouring facets
+  std::vector<int> end_nodes_[2];          ///< top, bottom
+  std::size_t first_bottom_support_ = 0;
+  Vec3 axis_ = Vec3::Zero();
+  int first_, last_;  ///< facets of this rank
+
+  SleeveControl control_;
+  PressureRamp pressure_{0.0};
+  long released_ = -1;  ///< step of the release from being rigid, below 0: none
+  SleeveContacts contacts_;
+
+  std::vector<StiffnessBound> facet_bound_;  ///< empty: not known yet
+  std::vector<StiffnessBound> contact_bound_;
+  bool updates_masses_ = false;  ///< in this step
+  double mass_step_ = 0.0;       ///< length of the step the masses were made for [s], 0: none
+  double mass_factor_ = 1.0;
+  double energy_ = 0.0, pressure_work_ = 0.0, vertical_force_ = 0.0;
+  double support_work_ = 0.0, damping_loss_ = 0.0;
+  bool rupture_told_ = false, platen_told_[2] = {false, false};
+};
+
+}  // namespace encased_column

@@ -1,0 +1,232 @@
+// A sleeve as a whole, stepped without a host.
+#include "shell/sleeve.h"
+
+#include "core/constants.h"
+#include "shell/cylinder_mesh.h"
+#include "sleeve_cases.h"
+
+#include <gtest/gtest.h>
+
+using namespace encased_column;
+
+namespace {
+
+constexpr double radius = 0.05, height = 0.06, modulus = 11.5e6, thickness = 0.01;
+
+Sleeve cloth(const NodalMassRule& rule = {})
+{
+  ShellConstants c;
+  c.modulus_hoop = modulus;
+  c.poisson = 0.3;
+  c.thickness = thickness;
+  c.density = 30.0;
+  return Sleeve(cylinder_mesh(TubeShape{radius, 0.0, height, 0.01}), c, rule);
+}
+
+SleeveControl with_ends(SleeveEnd top, SleeveEnd bottom)
+{
+  SleeveControl control;
+  control.ends = {top, bottom};
+  control.pressed_everywhere = true;
+  return control;
+}
+
+/// Steps of length 1, as with density scaling, with no grain or one.
+class Stepper {
+ public:
+  explicit Stepper(Sleeve& sleeve, long step = 0) : sleeve_(sleeve), step_(step) {}
+
+  void put_grain(const Vec3& center) { grain_ = center; }
+  void set_up()
+  {
+    take_loads(true);
+    sleeve_.find_reactions();
+  }
+  void run(int steps, double top_speed = 0.0, double bottom_speed = 0.0)
+  {
+    for (int n = 0; n < steps; ++n) {
+      ++step_;
+      sleeve_.advance(1.0, {top_speed, bottom_speed});
+      take_loads(false);
+    }
+  }
+  long step() const { return step_; }
+  double push() const { return push_; }  ///< of the grain [N]
+  const std::optional<GrainBehind>& behind() const { return behind_; }
+
+ private:
+  void take_loads(bool at_set_up)
+  {
+    const SleeveStep now{step_, 1.0};
+    sleeve_.start_loads(now, HeightWindow(), at_set_up);
+    sleeve_.list_grains(grain_.data(), &grain_radius_, grain_ == Vec3::Zero() ? 0 : 1, 0.001);
+    push_ = 0.0;
+    behind_ = sleeve_.press_grains(
+        SomeGrains{grain_.data(), {grain_radius_}}, [this](const SleeveContact& contact) {
+          push_ = 1e5 * contact.merged.stiffening * contact.merged.overlap;
+          return SleeveReaction{push_, -push_ * contact.merged.normal, Vec3::Zero(), 1e5};
+        });
+    sleeve_.finish_loads(now, [](double*, std::size_t) {});
+  }
+
+  Sleeve& sleeve_;
+  Vec3 grain_ = Vec3::Zero();
+  double grain_radius_ = 0.01, push_ = 0.0;
+  std::optional<GrainBehind> behind_;
+  long step_;
+};
+
+}  // namespace
+
+// Barlow's formula; the polygon of 31 sides is cos(pi / 31) narrower.
+TEST(Sleeve, InflatedWithFreeEndsBearsPressureTimesRadius)
+{
+  Sleeve sleeve = cloth();
+  sleeve.set_control(with_ends(SleeveEnd::free, SleeveEnd::free), 0);
+  sleeve.set_pressure(-1e3, 100, 0);
+  Stepper stepper(sleeve);
+  stepper.set_up();
+  stepper.run(2000);
+  const SleeveSummary found = summary_of(sleeve.model(), HeightWindow());
+  EXPECT_NEAR(found.hoop_tension, 1e3 * radius, 0.01 * 1e3 * radius);
+  EXPECT_NEAR(found.hoop_strain, 1e3 * radius / (modulus * thickness), 4e-6);
+  // What the pressure did is stored or damped, and nothing moves any more.
+  EXPECT_NEAR(sleeve.pressure_work(), sleeve.energy() + sleeve.damping_loss(),
+              1e-3 * sleeve.pressure_work());
+  EXPECT_LT(sleeve.model().kinetic_energy(), 1e-6 * sleeve.energy());
+}
+
+TEST(Sleeve, EndsAreHeldAsTheirNamesSay)
+{
+  for (const auto& [end, moves_out, moves_along] :
+       {std::tuple(SleeveEnd::held, false, false), std::tuple(SleeveEnd::clamped, false, false),
+        std::tuple(SleeveEnd::radial, false, true), std::tuple(SleeveEnd::platen, false, true),
+        std::tuple(SleeveEnd::free, true, true)}) {
+    SCOPED_TRACE(sleeve_end_names()[static_cast<int>(end)]);
+    Sleeve sleeve = cloth();
+    sleeve.set_control(with_ends(end, SleeveEnd::held), 0);
+    sleeve.set_pressure(-1e4, 1, 0);
+    Stepper stepper(sleeve);
+    stepper.set_up();
+    stepper.run(200, 1e-6);
+    for (const int node : sleeve.end_nodes(true)) {
+      const Vec3 way = sleeve.model().position()[node] - sleeve.model().reference()[node];
+      EXPECT_EQ(way.head<2>().norm() > 1e-9, moves_out);
+      EXPECT_EQ(std::abs(way.z()) > 1e-9, moves_along);
+      if (end == SleeveEnd::platen) EXPECT_NEAR(way.z(), -200e-6, 1e-15);
+      const double turn = Quaternion::Identity().angularDistance(sleeve.model().rotation()[node]);
+      EXPECT_EQ(turn > 1e-9, end != SleeveEnd::clamped);
+    }
+    for (const int node : sleeve.end_nodes(false))
+      EXPECT_EQ(sleeve.model().position()[node], sleeve.model().reference()[node]);
+    if (end == SleeveEnd::free) EXPECT_EQ(sleeve.axial_force(true), 0.0);
+  }
+}
+
+TEST(Sleeve, WhileItIsRigidStandsStillUnderAnyLoad)
+{
+  Sleeve sleeve = cloth();
+  SleeveControl control;
+  control.rigid = true;
+  sleeve.set_control(control, 0);
+  Stepper stepper(sleeve);
+  stepper.put_grain({0.042, 0.0, 0.03});
+  stepper.set_up();
+  stepper.run(100);
+  EXPECT_GT(stepper.push(), 50.0);
+  EXPECT_EQ(sleeve.model().position(), sleeve.model().reference());
+}
+
+// Its release finds masses that bear its own facets and the contact: from the state it has, and
+// from that state in a restart file.
+TEST(Sleeve, ReleasedFromAStateThatWasRigidIsAsTheOneThatWentOn)
+{
+  SleeveControl rigid, released;
+  rigid.rigid = true;
+  Sleeve went_on = cloth(), restored = cloth();
+  went_on.set_control(rigid, 0);
+  restored.set_control(rigid, 0);
+  Stepper first(went_on), second(restored);
+  first.put_grain({0.042, 0.0, 0.03});
+  second.put_grain({0.042, 0.0, 0.03});
+  first.set_up();
+  restored.restore(went_on.state(went_on.pressure_work()));
+  for (Sleeve* sleeve : {&went_on, &restored}) sleeve->set_control(released, 0);
+  for (Stepper* stepper : {&first, &second}) {
+    stepper->set_up();
+    stepper->run(130);
+  }
+  EXPECT_EQ(restored.model().position(), went_on.model().position());
+  EXPECT_EQ(restored.model().mass(), went_on.model().mass());
+  std::vector<StiffnessBound> facets(went_on.model().nodes(), {0.0, 0.0});
+  went_on.model().add_stiffness(0, went_on.model().facets(), facets);
+  for (int i = 0; i < went_on.model().nodes(); ++i)
+    EXPECT_GE(went_on.model().mass()[i], 0.95 * facets[i].translation / (0.8 * 0.8));
+}
+
+TEST(Sleeve, GoesOnFromItsStateBitByBit)
+{
+  const SleeveControl control = with_ends(SleeveEnd::radial, SleeveEnd::held);
+  Sleeve whole = cloth(), restored = cloth();
+  whole.set_control(control, 0);
+  restored.set_control(control, 0);
+  whole.set_pressure(20e3, 500, 0);
+  Stepper first(whole), second(restored, 230);
+  first.put_grain({0.042, 0.0, 0.03});
+  second.put_grain({0.042, 0.0, 0.03});
+  first.set_up();
+  first.run(230);
+  restored.restore(whole.state(whole.pressure_work()));
+  second.set_up();
+  EXPECT_EQ(second.push(), first.push());
+  for (Stepper* stepper : {&first, &second}) stepper->run(170);
+  EXPECT_EQ(restored.state(restored.pressure_work()), whole.state(whole.pressure_work()));
+}
+
+TEST(Sleeve, RefusesAStateThatIsCutOffOrOfAnotherMesh)
+{
+  Sleeve sleeve = cloth();
+  std::vector<double> state = sleeve.state(0.0);
+  state.pop_back();
+  EXPECT_THROW(sleeve.restore(state), InputError);
+  state = sleeve.state(0.0);
+  state[0] += 1.0;
+  EXPECT_THROW(sleeve.restore(state), InputError);
+}
+
+TEST(Sleeve, WithTrueMassesRefusesAStepThatIsTooLong)
+{
+  Sleeve sleeve = cloth({false, 0.8, 50});
+  Stepper stepper(sleeve);
+  EXPECT_THROW(stepper.set_up(), InputError);
+}
+
+TEST(Sleeve, SaysWhichGrainIsBehindWhichFacet)
+{
+  Sleeve sleeve = cloth();
+  Stepper stepper(sleeve);
+  stepper.put_grain({0.055, 0.0, 0.03});
+  stepper.set_up();
+  ASSERT_TRUE(stepper.behind());
+  const std::string sentence = sleeve.sentence_of(*stepper.behind(), 17, "side", 4);
+  EXPECT_EQ(sentence.find("grain 17 is on the wrong side of facet "), 0u) << sentence;
+  EXPECT_NE(sentence.find("of sleeve 'side' at step 4, load more slowly"), std::string::npos);
+}
+
+TEST(Sleeve, WarnsOnceOfAPlatenBeyondItsEndAndOfItsRupture)
+{
+  Sleeve sleeve = cloth();
+  SleeveControl control = with_ends(SleeveEnd::free, SleeveEnd::free);
+  control.rupture = 10.0;
+  sleeve.set_control(control, 0);
+  sleeve.set_pressure(-1e3, 1, 0);
+  Stepper stepper(sleeve);
+  stepper.set_up();
+  stepper.run(1000);
+  const HeightWindow window{0.0, height + 0.01};
+  const auto first = sleeve.warnings(window, "side", {"top", "bottom"}, stepper.step());
+  ASSERT_EQ(first.size(), 2u);
+  EXPECT_EQ(first[0].find("platen 'top' stands 0.01"), 0u) << first[0];
+  EXPECT_NE(first[1].find("passes its 'rupture' of 10 N/m"), std::string::npos) << first[1];
+  EXPECT_TRUE(sleeve.warnings(window, "side", {"top", "bottom"}, stepper.step()).empty());
+}
