@@ -57,7 +57,14 @@ std::string errors_in(const std::string& text)
   return errors;
 }
 
-void copy_folder(const fs::path& from, const fs::path& to, const fs::path& but)
+/// A folder in which cases were run has their lock.
+bool holds_runs(const fs::path& folder)
+{
+  return fs::exists(folder / ".lock") || folder.filename() == "runs";
+}
+
+/// Copies what a user's deck may read: all beside it but results of runs and what is hidden.
+void copy_folder(const fs::path& from, const fs::path& to)
 {
   constexpr int most_files = 1000;
   constexpr std::uintmax_t most_bytes = 200'000'000;
@@ -65,8 +72,7 @@ void copy_folder(const fs::path& from, const fs::path& to, const fs::path& but)
   int files = 0;
   for (auto entry = fs::recursive_directory_iterator(from); entry != fs::end(entry); ++entry) {
     const fs::path& path = entry->path();
-    if (entry->is_directory() &&
-        (fs::equivalent(path, but) || path.filename() == ".git" || path.filename() == "runs")) {
+    if (entry->is_directory() && (holds_runs(path) || path.filename().string().front() == '.')) {
       entry.disable_recursion_pending();
       continue;
     }
@@ -140,7 +146,7 @@ void CaseFolder::copy_inputs() const
   if (plan_.deck->ours)
     fs::copy_file(plan_.deck->file, input / plan_.deck->file.filename());
   else
-    copy_folder(plan_.deck->file.parent_path(), input, folder_.parent_path());
+    copy_folder(plan_.deck->file.parent_path(), input);
 }
 
 // Keeps the deck, the results and the logs so far. What the host wrote at a signal is older than

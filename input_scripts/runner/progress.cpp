@@ -29,7 +29,10 @@ class FallingRatio {
       largest_ = 0.0;
       best_ = 0.0;
     }
-    largest_ = std::max(largest_, ratio);
+    if (ratio > largest_) {  // while a stress is raised the ratio rises with it
+      largest_ = ratio;
+      best_ = 0.0;
+    }
     if (ratio > 0.0 && limit > 0.0 && largest_ > limit)
       best_ = std::max(best_, std::log(largest_ / ratio) / std::log(largest_ / limit));
     best_ = std::clamp(best_, 0.0, 1.0);

@@ -18,7 +18,8 @@ struct Progress {
 ///                                                  whose ratio of now falls to its limit
 ///
 /// A ratio falls by orders of magnitude, so its stage moves with its logarithm, between the largest
-/// one since the stage began and the limit; and it never goes back, though a ratio may rise again.
+/// one since the stage began and the limit. Behind the largest one it never goes back, though the
+/// ratio swings.
 Progress read_progress(const std::string& text);
 
 /// "3 h 05 min", "12 min", "45 s".

@@ -58,7 +58,7 @@ std::string version_of_project(const Places& places)
   return version.empty() ? ENCASE_VERSION : version;
 }
 
-void set_up_open_mpi()
+void set_up_open_mpi(bool crowded)
 {
   if (geteuid() == 0) {  // which Open MPI refuses unless told twice
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 0);
@@ -66,6 +66,7 @@ void set_up_open_mpi()
   }
   // Seconds that mpirun leaves its ranks between SIGTERM and SIGKILL: enough for a restart file.
   setenv("OMPI_MCA_odls_base_sigkill_timeout", "60", 0);
+  if (crowded) setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
 }
 
 /// Decides what becomes of each case, says so, and returns those to run. Throws InputError before
@@ -178,7 +179,7 @@ int run_command(const Places& places, const RunOptions& options)
     std::cout << "Running " << names_of(todo) << resolution_of(todo.front())
               << "; at once: " << schedule.jobs << ", MPI ranks each: " << schedule.ranks
               << std::endl;
-    set_up_open_mpi();
+    set_up_open_mpi(schedule.ranks * schedule.jobs > cores);
     CaseRunner runner(places, schedule,
                       versions_text(version_of_project(places), cores, schedule.ranks,
                                     places.inputs / "packages.txt"),

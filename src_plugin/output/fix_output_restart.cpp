@@ -107,7 +107,16 @@ void FixOutputRestart::end_of_step()
 void FixOutputRestart::post_run()
 {
   const double stopped = LAMMPS_NS::SignalHandler::request_quit ? 1.0 : 0.0;
-  if (max_over_ranks(stopped, world) > 0.0 && written_step_ != update->ntimestep) write();
+  if (max_over_ranks(stopped, world) > 0.0 && is_old()) write();
+}
+
+// On one rank going on from the last file ends, bit by bit, where this run would have: that is worth
+// the steps since then, unless they are many. On several there is nothing to keep.
+bool FixOutputRestart::is_old() const
+{
+  constexpr LAMMPS_NS::bigint steps_to_spare = 5000;
+  return comm->nprocs > 1 ? written_step_ != update->ntimestep
+                          : update->ntimestep - written_step_ > steps_to_spare;
 }
 
 void FixOutputRestart::write()

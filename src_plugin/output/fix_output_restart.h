@@ -25,6 +25,7 @@ class FixOutputRestart : public LAMMPS_NS::Fix, public BlindToVelocity {
  private:
   void check_order() const;
   void plan();
+  bool is_old() const;
   void write();
 
   std::string file_;
