@@ -59,6 +59,17 @@ TEST(Documents, BeginWithAShortPage)
   EXPECT_TRUE(any_line_has(screen, ".png")) << "a picture in the first 30 lines";
 }
 
+TEST(Documents, NameEveryStyleOnTheFirstPage)
+{
+  const std::vector<std::string> lines = lines_of(source / "README.md");
+  for (const fs::path& page : all_documents()) {
+    const std::string title = lines_of(page).front();
+    if (page.parent_path().parent_path() == source / "src_plugin" &&
+        title != "# Theory of the sleeve")
+      EXPECT_TRUE(any_line_has(lines, '`' + title.substr(2) + '`')) << page;
+  }
+}
+
 TEST(Documents, NameTheVersionOfTheBuild)
 {
   std::string version;

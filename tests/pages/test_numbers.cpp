@@ -4,6 +4,7 @@
 #include "pages/word_table.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
