@@ -293,6 +293,8 @@ TEST(ReadGradation, OfAFileCutOffAnywhereIsRefusedOrTheSame)
       ASSERT_EQ(gradation.size(), cinder_gravel.size()) << size;
       EXPECT_NEAR(gradation.back().mass_percent, cinder_gravel.back().mass_percent, 0.01) << size;
     });
-    if (size < header.size()) EXPECT_NE(found, "no refusal") << size;
+    if (size < header.size()) {
+      EXPECT_NE(found, "no refusal") << size;
+    }
   }
 }

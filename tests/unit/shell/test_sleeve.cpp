@@ -11,16 +11,17 @@ using namespace encased_column;
 
 namespace {
 
-constexpr double radius = 0.05, height = 0.06, modulus = 11.5e6, thickness = 0.01;
+constexpr double tube_radius = 0.05, tube_height = 0.06, tube_modulus = 11.5e6,
+                 tube_thickness = 0.01;
 
 Sleeve cloth(const NodalMassRule& rule = {})
 {
   ShellConstants c;
-  c.modulus_hoop = modulus;
+  c.modulus_hoop = tube_modulus;
   c.poisson = 0.3;
-  c.thickness = thickness;
+  c.thickness = tube_thickness;
   c.density = 30.0;
-  return Sleeve(cylinder_mesh(TubeShape{radius, 0.0, height, 0.01}), c, rule);
+  return Sleeve(cylinder_mesh(TubeShape{tube_radius, 0.0, tube_height, 0.01}), c, rule);
 }
 
 SleeveControl with_ends(SleeveEnd top, SleeveEnd bottom)
@@ -88,8 +89,8 @@ TEST(Sleeve, InflatedWithFreeEndsBearsPressureTimesRadius)
   stepper.set_up();
   stepper.run(2000);
   const SleeveSummary found = summary_of(sleeve.model(), HeightWindow());
-  EXPECT_NEAR(found.hoop_tension, 1e3 * radius, 0.01 * 1e3 * radius);
-  EXPECT_NEAR(found.hoop_strain, 1e3 * radius / (modulus * thickness), 4e-6);
+  EXPECT_NEAR(found.hoop_tension, 1e3 * tube_radius, 0.01 * 1e3 * tube_radius);
+  EXPECT_NEAR(found.hoop_strain, 1e3 * tube_radius / (tube_modulus * tube_thickness), 4e-6);
   // What the pressure did is stored or damped, and nothing moves any more.
   EXPECT_NEAR(sleeve.pressure_work(), sleeve.energy() + sleeve.damping_loss(),
               1e-3 * sleeve.pressure_work());
@@ -113,13 +114,17 @@ TEST(Sleeve, EndsAreHeldAsTheirNamesSay)
       const Vec3 way = sleeve.model().position()[node] - sleeve.model().reference()[node];
       EXPECT_EQ(way.head<2>().norm() > 1e-9, moves_out);
       EXPECT_EQ(std::abs(way.z()) > 1e-9, moves_along);
-      if (end == SleeveEnd::platen) EXPECT_NEAR(way.z(), -200e-6, 1e-15);
+      if (end == SleeveEnd::platen) {
+        EXPECT_NEAR(way.z(), -200e-6, 1e-15);
+      }
       const double turn = Quaternion::Identity().angularDistance(sleeve.model().rotation()[node]);
       EXPECT_EQ(turn > 1e-9, end != SleeveEnd::clamped);
     }
     for (const int node : sleeve.end_nodes(false))
       EXPECT_EQ(sleeve.model().position()[node], sleeve.model().reference()[node]);
-    if (end == SleeveEnd::free) EXPECT_EQ(sleeve.axial_force(true), 0.0);
+    if (end == SleeveEnd::free) {
+      EXPECT_EQ(sleeve.axial_force(true), 0.0);
+    }
   }
 }
 
@@ -223,7 +228,7 @@ TEST(Sleeve, WarnsOnceOfAPlatenBeyondItsEndAndOfItsRupture)
   Stepper stepper(sleeve);
   stepper.set_up();
   stepper.run(1000);
-  const HeightWindow window{0.0, height + 0.01};
+  const HeightWindow window{0.0, tube_height + 0.01};
   const auto first = sleeve.warnings(window, "side", {"top", "bottom"}, stepper.step());
   ASSERT_EQ(first.size(), 2u);
   EXPECT_EQ(first[0].find("platen 'top' stands 0.01"), 0u) << first[0];
