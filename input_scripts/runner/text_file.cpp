@@ -3,6 +3,7 @@
 #include "core/input_error.h"
 #include "output/whole_file.h"
 
+#include <algorithm>
 #include <fstream>
 
 namespace encased_column {
@@ -45,7 +46,9 @@ std::string read_text_file(const fs::path& file, const std::string& what, std::s
   std::ifstream stream(file, std::ios::binary);
   std::string text;
   if (stream && !fs::is_directory(file)) {
-    text.resize(most + 1);
+    std::error_code failure;
+    const std::uintmax_t size = fs::file_size(file, failure);
+    text.resize(failure ? 0 : static_cast<std::size_t>(std::min<std::uintmax_t>(size, most + 1)));
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(stream.gcount()));
   }

@@ -1,4 +1,4 @@
-// The command input_scripts/run refuses bad options with one sentence before it sets anything up.
+// `encase run` refuses bad options with one sentence before it runs anything.
 #include "support/child_program.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ const fs::path source = ENCASE_SOURCE;
 
 Outcome run_command(const std::vector<std::string>& options)
 {
-  std::vector<std::string> words{source / "input_scripts/run"};
+  std::vector<std::string> words{ENCASE_COMMAND, "run"};
   words.insert(words.end(), options.begin(), options.end());
   return run_program(words, "/");
 }
@@ -25,20 +25,35 @@ void expect_refused(const std::vector<std::string>& options, const std::string& 
 {
   const Outcome outcome = run_command(options);
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.output, "run: " + sentence + "\n");
+  EXPECT_EQ(outcome.output, "encase run: " + sentence + "\n");
+}
+
+/// A folder with a deck of its own that says which variables it uses.
+void write_deck(const fs::path& folder,
+                const std::string& more = "record_variables file variables.csv\n")
+{
+  std::ofstream(folder / "trial.lmp") << "variable speed index 3  # [m/s] of the trial\n" << more;
 }
 
 }  // namespace
 
+// The shell only sets up; what shows something does not wait for that.
 TEST(RunCommand, ShowsHelpAndCasesFromAnywhere)
 {
-  const Outcome help = run_command({"--help"});
-  EXPECT_EQ(help.exit_code, 0);
-  EXPECT_TRUE(help.says("./input_scripts/run [option ...]"));
-  const Outcome list = run_command({"--list"});
-  EXPECT_EQ(list.exit_code, 0);
-  EXPECT_TRUE(list.says("* plain_050")) << list.output;
-  EXPECT_TRUE(list.says("confining stress")) << list.output;
+  setenv("ENCASE_BUILD", fs::path(ENCASE_PROGRAM).parent_path().parent_path().c_str(), 1);
+  for (const std::string& start : {(source / "input_scripts/run").string(), std::string()}) {
+    const auto outcome = [&](const std::string& option) {
+      return start.empty() ? run_command({option}) : run_program({start, option}, "/");
+    };
+    const Outcome help = outcome("--help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_TRUE(help.says("./input_scripts/run [option ...]")) << help.output;
+    const Outcome list = outcome("--list");
+    EXPECT_EQ(list.exit_code, 0);
+    EXPECT_TRUE(list.says("* plain_050")) << list.output;
+    EXPECT_TRUE(list.says("confining stress")) << list.output;
+  }
+  EXPECT_EQ(run_program({ENCASE_COMMAND, "list"}, "/").output, run_command({"--list"}).output);
 }
 
 TEST(RunCommand, ListsEveryVariableWithDefaultUnitAndMeaning)
@@ -84,7 +99,8 @@ TEST(RunCommand, RefusesAnUnknownCase)
 {
   const Outcome outcome = run_command({"--case", "plain_51"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(outcome.says("run: unknown case 'plain_51', expected one of: plain_050 plain_100"));
+  EXPECT_TRUE(
+      outcome.says("encase run: unknown case 'plain_51', expected one of: plain_050 plain_100"));
 }
 
 TEST(RunCommand, RefusesAnUnknownResolution)
@@ -98,7 +114,7 @@ TEST(RunCommand, RefusesAVariableTheDeckDoesNotHave)
   const Outcome outcome = run_command({"--set", "sigma_3=50e3"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_TRUE(
-      outcome.says("run: deck triaxial_plain has no variable 'sigma_3', expected one of: "));
+      outcome.says("encase run: deck triaxial_plain has no variable 'sigma_3', expected one of: "));
 }
 
 TEST(RunCommand, RefusesASettingThatIsNotNameAndValue)
@@ -121,47 +137,112 @@ TEST(RunCommand, RefusesANameThatLeavesTheRunFolder)
                  "example '--name trial_2'");
 }
 
+TEST(RunCommand, RefusesBothPlacesForResults)
+{
+  expect_refused({"--name", "trial", "--out", "/tmp/x"},
+                 "--out and --name both say where results go, found '/tmp/x' and 'trial', give one "
+                 "of them");
+}
+
 TEST(RunCommand, RefusesToGoOnWithOtherVariables)
 {
-  const std::string name = "begun_" + std::to_string(getpid());
-  const fs::path folder = source / "runs" / name;
-  fs::create_directories(folder / "plain_050");
-  std::ofstream(folder / "plain_050/case.json") << "{\"id\": \"plain_050\",\n";
-  const Outcome outcome = run_command({"--resume", "--name", name, "--case", "plain_050"});
-  fs::remove_all(folder);
+  const TemporaryFolder folder;
+  const fs::path there = folder.path() / "plain_050";
+  fs::create_directories(there);
+  std::ofstream(there / "case.json")
+      << R"({"id": "plain_050", "deck": "triaxial_plain", "variables": {"resolution": "paper"}})";
+  const Outcome outcome = run_command({"--resume", "--out", folder.path(), "--case", "plain_050"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(outcome.says("run: case 'plain_050' in 'runs/" + name +
-                           "' was begun with other variables, found "))
+  EXPECT_TRUE(
+      outcome.says("was begun with other variables, found resolution=paper there and "
+                   "resolution=quick now, give the same --resolution and --set"))
       << outcome.output;
-  EXPECT_TRUE(outcome.says("give the same --resolution and --set or another --name"));
+}
+
+TEST(RunCommand, RefusesToGoOnFromARecordThatIsCutOff)
+{
+  const TemporaryFolder folder;
+  const fs::path there = folder.path() / "plain_050";
+  fs::create_directories(there);
+  std::ofstream(there / "case.json") << "{\"id\": \"plain_050\",\n";
+  const Outcome outcome = run_command({"--resume", "--out", folder.path(), "--case", "plain_050"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(
+      outcome.says("found something that is not JSON, run the case again, or leave --resume "
+                   "out, and case 'plain_050' begins again"))
+      << outcome.output;
+  EXPECT_EQ(outcome.lines().size(), 1u);
 }
 
 TEST(RunCommand, RefusesAnOutputFolderThatCannotBeWritten)
 {
-  const std::string name = "blocked_" + std::to_string(getpid());
-  const fs::path in_the_way = source / "runs" / name;
-  fs::create_directories(in_the_way.parent_path());
+  const TemporaryFolder folder;
+  const fs::path in_the_way = folder.path() / "file";
   std::ofstream(in_the_way) << "a file, not a folder\n";
-  expect_refused({"--name", name, "--case", "plain_050"},
-                 "cannot write the output folder 'runs/" + name +
-                     "/plain_050', free it or choose another --name");
-  fs::remove(in_the_way);
+  expect_refused({"--out", in_the_way, "--case", "plain_050"},
+                 "cannot write the output folder '" + in_the_way.string() +
+                     "', free it or choose another --name or --out");
 }
 
-// With the same variables the same results come again, and nothing needs to be said.
-TEST(RunCommand, SaysThatResultsOfOtherVariablesGo)
+TEST(RunCommand, RefusesACaseOfTheUsersThatIsCalledAsOneOfOurs)
 {
   const TemporaryFolder folder;
-  const Outcome outcome = run_program({"bash", "-c",
-                                       "set -euo pipefail; root=" + source.string() +
-                                           "; source $root/input_scripts/run_case\n"
-                                           "case_json() { echo now; }\n"
-                                           "series=$PWD resume=0; mkdir one; touch one/finished\n"
-                                           "echo now >one/case.json; announce_case one\n"
-                                           "echo before >one/case.json; announce_case one\n"},
-                                      folder.path());
-  EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.output,
-            "Case one begins anew with other variables; its results go (another --name would keep "
-            "them)\n");
+  std::ofstream(folder.path() / "own.csv") << "id,deck,variables\nplain_050,triaxial_plain,mu=1\n";
+  expect_refused(
+      {"--cases", folder.path() / "own.csv"},
+      "'id' in the file of --cases must be another one than those of our own series.csv, "
+      "found 'plain_050', rename that row");
+}
+
+TEST(RunCommand, RefusesAnUnknownDeckAndVariableInTheUsersCases)
+{
+  const TemporaryFolder folder;
+  const fs::path own = folder.path() / "own.csv";
+  std::ofstream(own) << "id,deck,variables\na,triaxial_plane,mu=1\n";
+  expect_refused({"--cases", own},
+                 "'deck' of case 'a' in '" + own.string() +
+                     "' must be one of triaxial_encased triaxial_plain or the file "
+                     "of your own deck, found 'triaxial_plane', check its name");
+  std::ofstream(own) << "id,deck,variables\na,triaxial_plain,my=1\n";
+  EXPECT_TRUE(run_command({"--cases", own})
+                  .says("encase run: deck triaxial_plain has no variable 'my', expected one of: "));
+}
+
+TEST(RunCommand, RefusesADeckThatIsMissingOrDoesNotSayWhatItUses)
+{
+  const TemporaryFolder folder;
+  const fs::path deck = folder.path() / "trial.lmp";
+  EXPECT_TRUE(run_command({"--deck", deck}).says("encase run: --deck must be one of "));
+  write_deck(folder.path(), "");
+  expect_refused({"--deck", deck},
+                 "a deck must say which variables it uses, found no 'record_variables' in '" +
+                     deck.string() +
+                     "', write 'record_variables file variables.csv' behind its last variable");
+}
+
+// The deck sets its variable once more than it says: what it used is known from the run alone.
+TEST(RunCommand, FailsACaseThatUsesAnotherValueThanItWasAskedFor)
+{
+  const TemporaryFolder folder;
+  write_deck(
+      folder.path(),
+      "variable speed delete\nvariable speed index 4\nrecord_variables file variables.csv\n");
+  const Outcome outcome = run_command({"--deck", folder.path() / "trial.lmp", "--out",
+                                       folder.path() / "out", "--set", "speed=5", "--no-pictures"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(
+      outcome.says("variable 'speed' of case 'trial' must be used as it was asked for, "
+                   "found 4 in the run and 5 asked for"))
+      << outcome.output;
+}
+
+TEST(RunCommand, RecordsWhatTheRunUsed)
+{
+  const TemporaryFolder folder;
+  write_deck(folder.path());
+  const Outcome outcome = run_command({"--deck", folder.path() / "trial.lmp", "--out",
+                                       folder.path() / "out", "--set", "speed=5", "--no-pictures"});
+  EXPECT_TRUE(outcome.says("Case trial finished in ")) << outcome.output;
+  const std::string record = read_text(folder.path() / "out/trial/case.json");
+  EXPECT_NE(record.find("\"variables\": {\n  \"speed\": 5"), std::string::npos) << record;
 }
