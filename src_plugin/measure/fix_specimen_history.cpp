@@ -59,7 +59,7 @@ void FixSpecimenHistory::init()
     find_platens(lmp, platen_ids_, platens);
     top_ = platens[0];
     bottom_ = platens[1];
-    side_ = find_fix<SpecimenSide>(lmp, "side", side_id_, "cylinder or sleeve");
+    side_ = find_fix<LateralBoundary>(lmp, "side", side_id_, "cylinder or sleeve");
     motion_ = find_fix<FixMotion>(lmp, "motion", motion_id_, "fix motion");
     if (nevery % motion_->every() != 0)
       throw InputError("'every' must be a multiple of the 'every' of fix " + motion_id_ +

@@ -13,7 +13,7 @@ namespace encased_column {
 
 class FixMotion;
 class FixServoPlaten;
-class SpecimenSide;
+class LateralBoundary;
 
 /// Writes the curves of a test: a row of history.csv every N steps.
 class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public ContactLossOwner {
@@ -65,7 +65,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   std::string platen_ids_[2], side_id_, motion_id_;
   FixServoPlaten* top_ = nullptr;
   FixServoPlaten* bottom_ = nullptr;
-  SpecimenSide* side_ = nullptr;
+  LateralBoundary* side_ = nullptr;
   FixMotion* motion_ = nullptr;
 
   LAMMPS_NS::bigint most_grains_ = 0;  ///< in any sample of this run

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "servo/rigid_wall.h"
-#include "servo/specimen_side.h"
 #include "servo/wall_shape.h"
+#include "specimen/lateral_boundary.h"
 
 namespace encased_column {
 
 class FixServoPlaten;
 
 /// A rigid cylinder about the z axis whose radius changes: the confining wall of a plain test.
-class FixServoCylinder : public RigidWall, public SpecimenSide {
+class FixServoCylinder : public RigidWall, public LateralBoundary {
  public:
   static const KeywordTable keywords;
 

@@ -36,7 +36,7 @@ void FixServoPlaten::find_partners()
 {
   side_ = nullptr;
   if (!side_id_.empty())
-    side_ = find_fix<SpecimenSide>(lmp, "side", side_id_, "cylinder or sleeve");
+    side_ = find_fix<LateralBoundary>(lmp, "side", side_id_, "cylinder or sleeve");
 }
 
 bool FixServoPlaten::has_partners() const

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "servo/rigid_wall.h"
-#include "servo/specimen_side.h"
 #include "servo/wall_shape.h"
+#include "specimen/lateral_boundary.h"
 
 namespace encased_column {
 
@@ -33,7 +33,7 @@ class FixServoPlaten : public RigidWall {
   PlaneShape plane_;
   double area_ = 0.0;
   std::string side_id_;
-  SpecimenSide* side_ = nullptr;
+  LateralBoundary* side_ = nullptr;
 };
 
 }  // namespace encased_column

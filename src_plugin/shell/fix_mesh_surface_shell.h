@@ -3,11 +3,11 @@
 #include "contact/contact_desk.h"
 #include "core/keyword_table.h"
 #include "host/contact_memory_fix.h"
-#include "servo/specimen_side.h"
 #include "shell/pressure_load.h"
 #include "shell/sleeve_contacts.h"
 #include "shell/sleeve_end.h"
 #include "shell/sleeve_state.h"
+#include "specimen/lateral_boundary.h"
 
 #include <array>
 #include <memory>
@@ -21,7 +21,7 @@ class FixServoPlaten;
 /// A deformable sleeve around the specimen: shell elements in two-way contact with the grains, a
 /// pressure from outside, ends held in one of several ways. Every rank knows all nodes; facets and
 /// contacts are divided, and their loads summed once a step.
-class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
+class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
  public:
   static const KeywordTable keywords;
 

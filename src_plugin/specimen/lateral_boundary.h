@@ -7,9 +7,9 @@
 namespace encased_column {
 
 /// The lateral boundary of a specimen: a rigid cylinder or a sleeve. The specimen stands along z.
-class SpecimenSide {
+class LateralBoundary {
  public:
-  virtual ~SpecimenSide() = default;
+  virtual ~LateralBoundary() = default;
 
   /// A point of the center line [m].
   virtual Vec3 axis() const = 0;
