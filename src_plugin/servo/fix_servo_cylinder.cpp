@@ -7,7 +7,7 @@
 namespace encased_column {
 
 const KeywordTable FixServoCylinder::keywords{
-    WallDrive::keywords(),
+    WallMotion::keywords(),
     {
         {"radius", 1, "m", "of the inner surface at the start, larger than zero"},
         {"platens", 2, "-", "IDs of the two `fix servo/platen` between which it is loaded"},

@@ -5,7 +5,7 @@
 namespace encased_column {
 
 const KeywordTable FixServoPlaten::keywords{
-    WallDrive::keywords(),
+    WallMotion::keywords(),
     {
         {"position", 1, "-", "`top` or `bottom` of the specimen"},
         {"z", 1, "m", "height of its face at the start"},

@@ -33,7 +33,7 @@ void RigidWall::read_wall(const Options& options)
                        " atom types, found " + std::to_string(wall_type_) +
                        ", write a smaller one or make room in 'create_box'");
   }
-  drive_.read(options, update->ntimestep, stress_now());
+  motion_.read(options, update->ntimestep, stress_now());
 }
 
 double RigidWall::stress_now() const
@@ -86,9 +86,9 @@ double RigidWall::work_on_grains() const
 void RigidWall::initial_integrate(int)
 {
   // The cross section of a sleeve takes a pass over its facets: found only where it counts.
-  const bool by_load = drive_.follows_stress();
-  speed_ = drive_.speed(update->ntimestep, update->dt, by_load ? load() : WallLoad(),
-                        by_load ? loaded_area() : 0.0, by_load ? usual_speed_limit() : 0.0);
+  const bool by_load = motion_.follows_stress();
+  speed_ = motion_.speed(update->ntimestep, update->dt, by_load ? load() : WallLoad(),
+                         by_load ? loaded_area() : 0.0, by_load ? usual_speed_limit() : 0.0);
   check_reach();
   force_before_ = own_load_.force;
   way_ = speed_ * update->dt;
@@ -98,11 +98,11 @@ void RigidWall::initial_integrate(int)
 // The load is the same on every rank, and so is the end.
 void RigidWall::check_reach()
 {
-  if (!drive_.is_out_of_reach()) return;
+  if (!motion_.is_out_of_reach()) return;
   const std::string found =
       "'servo' must be a stress that the grains can bear, found " + in_words(stress_now()) +
-      " of " + in_words(drive_.target(update->ntimestep)) + " Pa after " +
-      std::to_string(drive_.patience()) + " steps at the speed limit at step " +
+      " of " + in_words(motion_.target(update->ntimestep)) + " Pa after " +
+      std::to_string(motion_.patience()) + " steps at the speed limit at step " +
       std::to_string(update->ntimestep) +
       ", write a stress in reach, or a larger 'patience' where the way is long";
   error->fix_error(FLERR, this, found.c_str());
@@ -118,9 +118,9 @@ void RigidWall::final_integrate()
 int RigidWall::modify_param(int narg, char** arg)
 {
   try {
-    static const KeywordTable drive_only{WallDrive::keywords(), {}};
+    static const KeywordTable motion_only{WallMotion::keywords(), {}};
     if (load().stiffness > 0.0) find_partners();  // a ramp starts from the stress they give
-    read_wall(drive_only.read(narg, arg, 0));
+    read_wall(motion_only.read(narg, arg, 0));
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -130,14 +130,14 @@ int RigidWall::modify_param(int narg, char** arg)
 void RigidWall::write_restart(FILE* file)
 {
   static_assert(std::is_trivially_copyable_v<Saved>);
-  const Saved saved{work_on_grains(), position(), speed_, stress_now(), drive_};
+  const Saved saved{work_on_grains(), position(), speed_, stress_now(), motion_};
   if (comm->me != 0) return;
   const int size = sizeof(Saved);
   fwrite(&size, sizeof(int), 1, file);
   fwrite(&saved, sizeof(Saved), 1, file);
 }
 
-// The wall goes on as it did, but for what the fix line says of its drive.
+// The wall goes on as it did, but for what the fix line says of its motion.
 void RigidWall::restart(char* buffer)
 {
   Saved saved;
@@ -145,8 +145,8 @@ void RigidWall::restart(char* buffer)
   work_ = comm->me == 0 ? saved.work : 0.0;
   speed_ = saved.speed;
   set_position(saved.position);
-  drive_ = saved.drive;
-  drive_.read(on_fix_line_, update->ntimestep, saved.stress);
+  motion_ = saved.motion;
+  motion_.read(on_fix_line_, update->ntimestep, saved.stress);
 }
 
 }  // namespace encased_column

@@ -5,7 +5,7 @@
 #include "core/keyword_table.h"
 #include "host/contact_memory_fix.h"
 #include "host/grain_arrays.h"
-#include "servo/wall_drive.h"
+#include "servo/wall_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace encased_column {
 
 /// What a rigid platen and a rigid cylinder share: contacts with the grains by the linear law, the
-/// drive, the load, the work, and the state in restart files. The walls are exact surfaces, not
+/// motion, the load, the work, and the state in restart files. The walls are exact surfaces, not
 /// meshes: on facets a grain that rolls over an edge is pushed by two of them, then by one, and
 /// never comes to rest.
 class RigidWall : public ContactMemoryFix {
@@ -35,7 +35,7 @@ class RigidWall : public ContactMemoryFix {
   const WallLoad& load() const;
   double work_on_grains() const;           ///< of all ranks [J], to be asked on all of them
   double speed() const { return speed_; }  ///< towards the specimen [m/s]
-  double ramp_left() const { return static_cast<double>(drive_.ramp_left(update->ntimestep)); }
+  double ramp_left() const { return static_cast<double>(motion_.ramp_left(update->ntimestep)); }
 
  protected:
   void read_wall(const Options& options);
@@ -67,14 +67,14 @@ class RigidWall : public ContactMemoryFix {
   /// The state in a restart file; the stress is where a ramp would start.
   struct Saved {
     double work, position, speed, stress;
-    WallDrive drive;
+    WallMotion motion;
   };
 
   double stress_now() const;
   void check_reach();
 
   Options on_fix_line_;
-  WallDrive drive_;
+  WallMotion motion_;
   ContactDesk desk_;
   ContactRow row_;
   RollingRow rolling_row_;

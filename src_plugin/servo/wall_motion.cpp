@@ -1,4 +1,4 @@
-#include "servo/wall_drive.h"
+#include "servo/wall_motion.h"
 
 #include "core/input_error.h"
 
@@ -7,7 +7,7 @@
 
 namespace encased_column {
 
-const std::vector<Keyword>& WallDrive::keywords()
+const std::vector<Keyword>& WallMotion::keywords()
 {
   static const std::vector<Keyword> keywords{
       {"type", 1, "-", "atom type that stands for the material of the wall"},
@@ -23,7 +23,7 @@ const std::vector<Keyword>& WallDrive::keywords()
   return keywords;
 }
 
-void WallDrive::read(const Options& options, long step, double stress_now)
+void WallMotion::read(const Options& options, long step, double stress_now)
 {
   if (options.has("hold") + options.has("velocity") + options.has("servo") > 1)
     throw InputError(
@@ -50,7 +50,7 @@ void WallDrive::read(const Options& options, long step, double stress_now)
   }
 }
 
-double WallDrive::target(long step) const
+double WallMotion::target(long step) const
 {
   const long done = step - ramp_start_;
   if (done >= ramp_steps_) return target_;
@@ -58,7 +58,8 @@ double WallDrive::target(long step) const
   return ramp_from_ + (target_ - ramp_from_) * part;
 }
 
-double WallDrive::speed(long step, double dt, const WallLoad& load, double area, double usual_limit)
+double WallMotion::speed(long step, double dt, const WallLoad& load, double area,
+                         double usual_limit)
 {
   if (mode_ == Mode::hold) return 0.0;
   if (mode_ == Mode::velocity) return velocity_;
@@ -68,12 +69,12 @@ double WallDrive::speed(long step, double dt, const WallLoad& load, double area,
   return speed;
 }
 
-long WallDrive::ramp_left(long step) const
+long WallMotion::ramp_left(long step) const
 {
   return mode_ == Mode::servo ? std::max(ramp_start_ + ramp_steps_ - step, 0L) : 0L;
 }
 
-void WallDrive::count_step(double speed, double limit)
+void WallMotion::count_step(double speed, double limit)
 {
   if (std::abs(speed) < limit)
     steps_at_limit_ = 0;

@@ -9,7 +9,7 @@
 namespace encased_column {
 
 /// How a rigid wall moves: it stands still, goes at a speed, or follows a stress.
-class WallDrive {
+class WallMotion {
  public:
   /// The keywords read() knows, for the tables of the walls.
   static const std::vector<Keyword>& keywords();
