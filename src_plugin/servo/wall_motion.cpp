@@ -43,19 +43,9 @@ void WallMotion::read(const Options& options, long step, double stress_now)
     mode_ = Mode::servo;
     memory_ = ServoMemory();
     steps_at_limit_ = 0;
-    target_ = options.not_negative("servo", 0.0);
-    ramp_from_ = stress_now;
-    ramp_start_ = step;
-    ramp_steps_ = options.integer("ramp", 1, 0);
+    ramp_.start_from(stress_now, options.not_negative("servo", 0.0), options.integer("ramp", 1, 0),
+                     step);
   }
-}
-
-double WallMotion::target(long step) const
-{
-  const long done = step - ramp_start_;
-  if (done >= ramp_steps_) return target_;
-  const double part = static_cast<double>(done) / static_cast<double>(ramp_steps_);
-  return ramp_from_ + (target_ - ramp_from_) * part;
 }
 
 double WallMotion::speed(long step, double dt, const WallLoad& load, double area,
@@ -69,11 +59,6 @@ double WallMotion::speed(long step, double dt, const WallLoad& load, double area
   return speed;
 }
 
-long WallMotion::ramp_left(long step) const
-{
-  return mode_ == Mode::servo ? std::max(ramp_start_ + ramp_steps_ - step, 0L) : 0L;
-}
-
 void WallMotion::count_step(double speed, double limit)
 {
   if (std::abs(speed) < limit)
@@ -82,6 +67,34 @@ void WallMotion::count_step(double speed, double limit)
     steps_at_limit_ = std::max(steps_at_limit_, 0L) + 1;
   else
     steps_at_limit_ = std::min(steps_at_limit_, 0L) - 1;
+}
+
+std::array<double, WallMotion::numbers> WallMotion::state() const
+{
+  const auto ramp = ramp_.state();
+  return {static_cast<double>(mode_),
+          velocity_,
+          gain_,
+          memory_.even_speed,
+          speed_limit_,
+          static_cast<double>(patience_),
+          static_cast<double>(steps_at_limit_),
+          ramp[0],
+          ramp[1],
+          ramp[2],
+          ramp[3]};
+}
+
+void WallMotion::restore(const std::array<double, numbers>& state)
+{
+  mode_ = static_cast<Mode>(static_cast<int>(state[0]));
+  velocity_ = state[1];
+  gain_ = state[2];
+  memory_.even_speed = state[3];
+  speed_limit_ = state[4];
+  patience_ = static_cast<long>(state[5]);
+  steps_at_limit_ = static_cast<long>(state[6]);
+  ramp_.restore({state[7], state[8], state[9], state[10]});
 }
 
 }  // namespace encased_column

@@ -138,3 +138,20 @@ TEST(WallMotion, RefusesNumbersOutOfRange)
   expect_refused({"servo", "1", "ramp", "0"},
                  "'ramp' must be 1 or larger, found 0, write for example 'ramp 1'");
 }
+
+TEST(WallMotion, GoesOnAfterARestartAsIfThereWasNone)
+{
+  WallMotion motion;
+  read(motion, {"servo", "50", "ramp", "10", "gain", "0.5", "speed_limit", "30", "patience", "7"});
+  for (long n = 0; n < 5; ++n) motion.speed(100 + n, 1.0, {1.0, 1.0}, 1.0, 1e9);
+  WallMotion restored;
+  restored.restore(motion.state());
+  EXPECT_EQ(restored.patience(), 7);
+  EXPECT_EQ(restored.ramp_left(105), 5);
+  for (long step = 105; step < 120; ++step) {
+    const WallLoad load{step < 112 ? 1.0 : -1e6, 1.0};  // then at the speed limit
+    EXPECT_EQ(restored.speed(step, 1.0, load, 1.0, 1e9), motion.speed(step, 1.0, load, 1.0, 1e9));
+    EXPECT_EQ(restored.is_out_of_reach(), motion.is_out_of_reach()) << "at step " << step;
+  }
+  EXPECT_TRUE(restored.is_out_of_reach());
+}
