@@ -29,7 +29,7 @@ class FixServoCylinder : public RigidWall, public LateralBoundary {
   void find_partners() override;
   bool has_partners() const override;
   double loaded_area() const override;
-  double usual_speed_limit() const override { return 1e-5 * cylinder_.radius / update->dt; }
+  double mean_radius() const override { return cylinder_.radius; }
   void advance(double distance) override { cylinder_.advance(distance); }
   double position() const override { return cylinder_.radius; }
   void set_position(double radius) override { cylinder_.radius = radius; }

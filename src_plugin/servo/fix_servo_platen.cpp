@@ -55,9 +55,9 @@ double FixServoPlaten::loaded_area() const
   return side_ ? side_->cross_section(plane_.z) : area_;
 }
 
-double FixServoPlaten::usual_speed_limit() const
+double FixServoPlaten::mean_radius() const
 {
-  return 1e-5 * std::sqrt(loaded_area() / pi) / update->dt;
+  return radius_of_section(loaded_area());
 }
 
 double FixServoPlaten::compute_vector(int n)

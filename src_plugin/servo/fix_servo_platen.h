@@ -23,7 +23,7 @@ class FixServoPlaten : public RigidWall {
   void find_partners() override;
   bool has_partners() const override;
   double loaded_area() const override;
-  double usual_speed_limit() const override;
+  double mean_radius() const override;
   void advance(double distance) override { plane_.advance(distance); }
   double position() const override { return plane_.z; }
   void set_position(double z) override { plane_.z = z; }

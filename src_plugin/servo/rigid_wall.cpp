@@ -1,12 +1,9 @@
 #include "servo/rigid_wall.h"
 
 #include "host/rank_sums.h"
+#include "host/restart_block.h"
 
 #include "pair_gran.h"
-
-#include <algorithm>
-#include <cstring>
-#include <type_traits>
 
 namespace encased_column {
 
@@ -80,7 +77,7 @@ const WallLoad& RigidWall::load() const
 
 double RigidWall::work_on_grains() const
 {
-  return sum_over_ranks(work_, world);
+  return sum_over_ranks(work_.done(), world);
 }
 
 void RigidWall::initial_integrate(int)
@@ -88,11 +85,12 @@ void RigidWall::initial_integrate(int)
   // The cross section of a sleeve takes a pass over its facets: found only where it counts.
   const bool by_load = motion_.follows_stress();
   speed_ = motion_.speed(update->ntimestep, update->dt, by_load ? load() : WallLoad(),
-                         by_load ? loaded_area() : 0.0, by_load ? usual_speed_limit() : 0.0);
+                         by_load ? loaded_area() : 0.0,
+                         by_load ? usual_speed_limit(mean_radius(), update->dt) : 0.0);
   check_reach();
-  force_before_ = own_load_.force;
-  way_ = speed_ * update->dt;
-  advance(way_);
+  const double way = speed_ * update->dt;
+  work_.begin_step(own_load_.force, way);
+  advance(way);
 }
 
 // The load is the same on every rank, and so is the end.
@@ -108,11 +106,9 @@ void RigidWall::check_reach()
   error->fix_error(FLERR, this, found.c_str());
 }
 
-// Trapezoid of the force over the way: the work a spring between wall and grain really takes. The
-// step may be another by now.
 void RigidWall::final_integrate()
 {
-  work_ += 0.5 * (force_before_ + own_load_.force) * way_;
+  work_.end_step(own_load_.force);
 }
 
 int RigidWall::modify_param(int narg, char** arg)
@@ -127,26 +123,32 @@ int RigidWall::modify_param(int narg, char** arg)
   return narg;
 }
 
+// The stress is where a ramp would start.
 void RigidWall::write_restart(FILE* file)
 {
-  static_assert(std::is_trivially_copyable_v<Saved>);
-  const Saved saved{work_on_grains(), position(), speed_, stress_now(), motion_};
+  std::vector<double> numbers{work_on_grains(), position(), speed_, stress_now()};
   if (comm->me != 0) return;
-  const int size = sizeof(Saved);
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(&saved, sizeof(Saved), 1, file);
+  for (const double number : motion_.state()) numbers.push_back(number);
+  write_block(file, numbers, "");
 }
 
 // The wall goes on as it did, but for what the fix line says of its motion.
 void RigidWall::restart(char* buffer)
 {
-  Saved saved;
-  std::memcpy(&saved, buffer, sizeof(Saved));
-  work_ = comm->me == 0 ? saved.work : 0.0;
-  speed_ = saved.speed;
-  set_position(saved.position);
-  motion_ = saved.motion;
-  motion_.read(on_fix_line_, update->ntimestep, saved.stress);
+  try {
+    RestartBlock block(buffer);
+    const double work = block.take();
+    work_.restore(comm->me == 0 ? work : 0.0);
+    set_position(block.take());
+    speed_ = block.take();
+    const double stress = block.take();
+    std::array<double, WallMotion::numbers> motion;
+    block.take(motion.data(), motion.size());
+    motion_.restore(motion);
+    motion_.read(on_fix_line_, update->ntimestep, stress);
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column
