@@ -1,7 +1,5 @@
 #include "plugin_entry.h"
 
-#include "dynamics/fix_gravity_of_motion.h"
-#include "shell/fix_wall_of_sleeves.h"
 #include "style_table.h"
 
 #include "input.h"
@@ -38,22 +36,16 @@ std::map<std::string, CommandCreator>& commands_of(LAMMPS_NS::LAMMPS* lmp)
   return *(lmp->input->*reveal(CommandMap()));
 }
 
-FixCreator host_wall = nullptr;
-
-LAMMPS_NS::Fix* make_any_wall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-{
-  return make_wall(host_wall, lmp, narg, arg);
-}
-
 void register_fixes(LAMMPS_NS::LAMMPS* lmp)
 {
   auto& fixes = *(lmp->modify->*reveal(FixMap()));
-  if (fixes.at("wall/gran") != make_any_wall) host_wall = fixes.at("wall/gran");
-  fixes["wall/gran"] = make_any_wall;
-  fixes["gravity"] = FixGravityOfMotion::make;
-  for (const Style& style : style_table())
-    if (const auto* create = std::get_if<FixCreator>(&style.maker.create))
-      fixes[style.name] = *create;
+  for (const Style& style : style_table()) {
+    const auto* create = std::get_if<FixCreator>(&style.maker.create);
+    if (!create) continue;
+    FixCreator& known = fixes[style.name];
+    if (style.maker.host && known != *create) *style.maker.host = known;
+    known = *create;
+  }
 }
 
 // `clear` gives the deck a new Modify that knows only the host's fixes. Ours need a box, and a box

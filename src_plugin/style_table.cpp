@@ -4,6 +4,7 @@
 
 #include "contact/register_linear.h"
 #include "deck/require_command.h"
+#include "dynamics/fix_gravity_of_motion.h"
 #include "dynamics/fix_motion.h"
 #include "dynamics/solve_command.h"
 #include "measure/fix_measure_sphere.h"
@@ -19,6 +20,7 @@
 #include "servo/fix_servo_cylinder.h"
 #include "servo/fix_servo_platen.h"
 #include "shell/fix_mesh_surface_shell.h"
+#include "shell/fix_wall_of_sleeves.h"
 
 namespace encased_column {
 
@@ -27,6 +29,7 @@ const std::vector<Style>& style_table()
   static const std::vector<Style> table{
       {"create_packing", make<CreatePackingCommand>()},
       {"create_wall_mesh", make<CreateWallMeshCommand>()},
+      {"gravity", make_instead<FixGravityOfMotion>()},
       {"grow/radius", make<FixGrowRadius>()},
       {"measure/sphere", make<FixMeasureSphere>()},
       {"mesh/surface/shell", make<FixMeshSurfaceShell>()},
@@ -41,6 +44,7 @@ const std::vector<Style>& style_table()
       {"servo/platen", make<FixServoPlaten>()},
       {"solve", make<SolveCommand>()},
       {"specimen/history", make<FixSpecimenHistory>()},
+      {"wall/gran", make_instead<make_wall>()},
   };
   return table;
 }
