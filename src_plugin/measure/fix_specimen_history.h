@@ -3,7 +3,7 @@
 #include "core/keyword_table.h"
 #include "host/contact_probe.h"
 #include "measure/energy_account.h"
-#include "measure/specimen_state.h"
+#include "specimen/specimen.h"
 #include "output/csv_series.h"
 
 #include <string>

@@ -35,7 +35,7 @@ void RigidWall::read_wall(const Options& options)
 
 double RigidWall::stress_now() const
 {
-  return load().stiffness > 0.0 && has_partners() ? load().force / loaded_area() : 0.0;
+  return load().stiffness > 0.0 && has_partners() ? load().stress_on(loaded_area()) : 0.0;
 }
 
 int RigidWall::setmask()

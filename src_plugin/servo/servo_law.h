@@ -9,6 +9,9 @@ namespace encased_column {
 struct WallLoad {
   double force = 0.0;      ///< with which the grains press on it [N]
   double stiffness = 0.0;  ///< sum of the normal stiffness of its contacts [N/m]
+
+  /// Stress [Pa] on the area [m^2] that carries the force.
+  double stress_on(double area) const { return force / area; }
 };
 
 /// Speed limit [m/s] of a wall where the deck gives none: a hundred-thousandth of the specimen's
