@@ -1,8 +1,5 @@
 #include "shell/fix_mesh_surface_shell.h"
 
-#include "host/find_fix.h"
-#include "servo/find_platens.h"
-
 #include "pair_gran.h"
 
 #include <cstring>
@@ -42,6 +39,7 @@ const KeywordTable FixMeshSurfaceShell::keywords{
 
 FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : ContactMemoryFix(lmp, narg, arg),
+      platens_(lmp),
       desk_(lmp, ContactKind::sleeve)
 {
   try {
@@ -51,7 +49,7 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
       throw InputError("'type' must be one of the " + std::to_string(atom->ntypes) +
                        " atom types, found " + std::to_string(type_) +
                        ", write a smaller one or make room in 'create_box'");
-    for (int n = 0; n < 2; ++n) platen_ids_[n] = options.all("platens").front()[n];
+    platens_.read(options);
     read_material(options);
     read_mesh(options);
     read_weighing(options);
@@ -82,17 +80,10 @@ void FixMeshSurfaceShell::init()
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
     desk_.open(rolling_);
-    find_platens(lmp, platen_ids_, platens_);
+    platens_.find();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-}
-
-HeightWindow FixMeshSurfaceShell::window() const
-{
-  // Before the first run, and when a platen was taken away, everything counts.
-  if (!is_there(lmp, platens_[0]) || !is_there(lmp, platens_[1])) return {};
-  return {platens_[1]->height(), platens_[0]->height()};
 }
 
 }  // namespace encased_column

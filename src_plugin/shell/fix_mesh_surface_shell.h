@@ -8,6 +8,7 @@
 #include "shell/sleeve_end.h"
 #include "shell/sleeve_state.h"
 #include "specimen/lateral_boundary.h"
+#include "specimen/platens_of_deck.h"
 
 #include <array>
 #include <memory>
@@ -15,8 +16,6 @@
 #include <vector>
 
 namespace encased_column {
-
-class FixServoPlaten;
 
 /// A deformable sleeve around the specimen: shell elements in two-way contact with the grains, a
 /// pressure from outside, ends held in one of several ways. Every rank knows all nodes; facets and
@@ -51,7 +50,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
 
   const ShellModel& model() const { return *model_; }
   /// Between the platens [m].
-  HeightWindow window() const;
+  HeightWindow window() const { return platens_.window(); }
   double pressure_now() const { return pressure_.at(update->ntimestep); }
   SleeveSummary summary() const { return summary_of(*model_, window()); }
   /// What the supports of an end take along z, on the sleeve [N].
@@ -80,8 +79,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
   void warn(const std::string& sentence);
   double level_inside(double z) const;
 
-  std::string platen_ids_[2];
-  FixServoPlaten* platens_[2] = {nullptr, nullptr};  ///< top, bottom
+  PlatensOfDeck platens_;
   std::unique_ptr<ShellModel> model_;
   ShellConstants constants_;
   std::vector<std::array<int, 2>> pairs_;  ///< neighbouring facets

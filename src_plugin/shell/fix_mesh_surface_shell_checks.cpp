@@ -35,7 +35,7 @@ void FixMeshSurfaceShell::warn_of_platens_outside()
       beyond = std::min(beyond, upwards * (heights[n] - model_->position()[node].z()));
     if (platen_told_[n] || !std::isfinite(heights[n]) || beyond <= end_tolerance) continue;
     platen_told_[n] = true;
-    warn("platen '" + platen_ids_[n] + "' stands " + in_words(beyond) +
+    warn("platen '" + platens_.id(n == 0) + "' stands " + in_words(beyond) +
          " m beyond the end of sleeve '" + id + "' at step " + std::to_string(update->ntimestep) +
          ", grains can escape there: hold the platen or make the sleeve longer");
   }

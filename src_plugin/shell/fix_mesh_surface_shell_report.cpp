@@ -71,7 +71,7 @@ double FixMeshSurfaceShell::cross_section(double z) const
 
 double FixMeshSurfaceShell::radius_at(double z) const
 {
-  return std::sqrt(cross_section(z) / pi);
+  return radius_of_section(cross_section(z));
 }
 
 int FixMeshSurfaceShell::count_outside(const double* centers, int count, double z_low,

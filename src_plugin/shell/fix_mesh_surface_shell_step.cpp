@@ -2,7 +2,6 @@
 #include "shell/fix_mesh_surface_shell.h"
 
 #include "host/rank_sums.h"
-#include "servo/fix_servo_platen.h"
 
 namespace encased_column {
 
@@ -25,12 +24,13 @@ void FixMeshSurfaceShell::setup(int)
 void FixMeshSurfaceShell::initial_integrate(int)
 {
   if (rigid_) return;
+  const Platens platens = platens_.now();
+  const double inward[2] = {platens.top->speed(), platens.bottom->speed()};
   std::vector<Support>& supports = model_->support();
   for (std::size_t n = 0; n < supports.size(); ++n) {
     const int end = n < first_bottom_support_ ? 0 : 1;
     if (ends_[end] != SleeveEnd::platen) continue;
-    const double inward = platens_[end]->speed();
-    supports[n].velocity = Vec3(0.0, 0.0, end == 0 ? -inward : inward);
+    supports[n].velocity = Vec3(0.0, 0.0, end == 0 ? -inward[0] : inward[1]);
   }
   const StepWork work = model_->advance(update->dt, damping_);
   pressure_work_ += work.external;
