@@ -25,15 +25,6 @@ T* find_fix(LAMMPS_NS::LAMMPS* lmp, const std::string& keyword, const std::strin
   return fix;
 }
 
-/// True where `known` still is one of the deck's fixes; `unfix` leaves such a pointer dangling.
-template <typename T>
-bool is_there(LAMMPS_NS::LAMMPS* lmp, const T* known)
-{
-  for (int n = 0; n < lmp->modify->nfix; ++n)
-    if (known && dynamic_cast<T*>(lmp->modify->fix[n]) == known) return true;
-  return false;
-}
-
 /// A fix of the deck that a keyword names by its ID, found at the start of each run. `unfix` may
 /// take it away between two runs, and leaves the pointer dangling: ask is_there() outside a run.
 template <typename T>
