@@ -30,6 +30,7 @@ bool is_one_of(const char* word, std::initializer_list<const char*> words)
 void print_styles(std::ostream& out)
 {
   for (const Style& style : style_table()) {
+    if (!style.maker.keywords) continue;
     out << (style.maker.create.index() == 0 ? "fix " : "command ") << style.name << "\n";
     for (const Keyword& k : style.maker.keywords->keywords())
       out << "| `" << k.name << "` | " << k.values << " | " << k.unit << " | " << k.meaning

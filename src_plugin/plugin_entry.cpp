@@ -2,13 +2,11 @@
 
 #include "contact/coincident_grains.h"
 #include "core/input_error.h"
-#include "dynamics/fix_gravity_of_motion.h"
 #include "host/contact_law.h"
 #include "host/fix_stop_request.h"
 #include "host/one_rank_errors.h"
 #include "host/renumber_grains.h"
 #include "restart/restart_file.h"
-#include "shell/fix_wall_of_sleeves.h"
 #include "shell/refuse_as_mesh.h"
 #include "style_table.h"
 
@@ -56,18 +54,6 @@ std::map<std::string, CommandCreator>& commands_of(LAMMPS_NS::LAMMPS* lmp)
   return *(lmp->input->*reveal(CommandMap()));
 }
 
-FixCreator host_wall = nullptr;
-
-LAMMPS_NS::Fix* make_any_wall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-{
-  return make_wall(host_wall, lmp, narg, arg);
-}
-
-LAMMPS_NS::Fix* make_stop_request(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-{
-  return new FixStopRequest(lmp, narg, arg);
-}
-
 std::map<std::string, FixCreator> host_mesh_takers;
 
 LAMMPS_NS::Fix* make_mesh_taker(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
@@ -85,13 +71,13 @@ void register_fixes(LAMMPS_NS::LAMMPS* lmp)
     host_mesh_takers[style] = known->second;
     known->second = make_mesh_taker;
   }
-  if (fixes.at("wall/gran") != make_any_wall) host_wall = fixes.at("wall/gran");
-  fixes["wall/gran"] = make_any_wall;
-  fixes["gravity"] = FixGravityOfMotion::make;
-  fixes["stop_request"] = make_stop_request;
-  for (const Style& style : style_table())
-    if (const auto* create = std::get_if<FixCreator>(&style.maker.create))
-      fixes[style.name] = *create;
+  for (const Style& style : style_table()) {
+    const auto* create = std::get_if<FixCreator>(&style.maker.create);
+    if (!create) continue;
+    FixCreator& known = fixes[style.name];
+    if (style.maker.host && known != *create) *style.maker.host = known;
+    known = *create;
+  }
 }
 
 /// Every command of the map, the host's and ours, by the deck's word for it.

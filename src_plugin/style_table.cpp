@@ -5,8 +5,10 @@
 #include "contact/register_linear.h"
 #include "deck/record_variables_command.h"
 #include "deck/require_command.h"
+#include "dynamics/fix_gravity_of_motion.h"
 #include "dynamics/fix_motion.h"
 #include "dynamics/solve_command.h"
+#include "host/fix_stop_request.h"
 #include "measure/fix_measure_sphere.h"
 #include "measure/fix_specimen_history.h"
 #include "output/fix_output_collection.h"
@@ -20,6 +22,7 @@
 #include "servo/fix_servo_cylinder.h"
 #include "servo/fix_servo_platen.h"
 #include "shell/fix_mesh_surface_shell.h"
+#include "shell/fix_wall_of_sleeves.h"
 
 namespace encased_column {
 
@@ -29,6 +32,7 @@ const std::vector<Style>& style_table()
   static const std::vector<Style> table{
       {"create_packing", make<CreatePackingCommand>()},
       {"create_wall_mesh", make<CreateWallMeshCommand>()},
+      {"gravity", make_instead<FixGravityOfMotion>()},
       {"grow/radius", make<FixGrowRadius>()},
       {"measure/sphere", make<FixMeasureSphere>(), reads_contact_law},
       {"mesh/surface/shell", make<FixMeshSurfaceShell>(), reads_contact_law},
@@ -44,6 +48,8 @@ const std::vector<Style>& style_table()
       {"servo/platen", make<FixServoPlaten>(), reads_contact_law},
       {"solve", make<SolveCommand>()},
       {"specimen/history", make<FixSpecimenHistory>(), reads_contact_law},
+      {"stop_request", make_instead<FixStopRequest>()},
+      {"wall/gran", make_instead<make_wall>()},
   };
   return table;
 }

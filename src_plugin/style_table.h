@@ -10,15 +10,14 @@
 
 namespace encased_column {
 
-using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
-using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
-
 /// How the host makes an object of a style, the keywords it reads, and how to tell its fixes: the
 /// host may know one by another name.
 struct Maker {
   std::variant<FixCreator, CommandCreator> create;
-  const KeywordTable* keywords;
-  bool (*made)(const LAMMPS_NS::Fix& fix);
+  const KeywordTable* keywords = nullptr;  ///< none: a style of the host, with the host's words
+  bool (*made)(const LAMMPS_NS::Fix& fix) = nullptr;
+  /// Where a style of the host goes that this one takes the place of, if it is wanted.
+  FixCreator* host = nullptr;
 };
 
 /// One style of the plugin: the name a deck writes and what stands behind it.
@@ -46,7 +45,28 @@ Maker make()
   }
 }
 
-/// Every fix and command of the plugin.
+/// A fix of the host that we make ourselves, as a T that takes the same words.
+template <typename T>
+Maker make_instead()
+{
+  return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
+            return new T(lmp, narg, arg);
+          }),
+          nullptr, nullptr, nullptr};
+}
+
+/// A fix of the host that `make` makes, with the host's creator at hand.
+template <LAMMPS_NS::Fix* (*make)(FixCreator host, LAMMPS_NS::LAMMPS*, int, char**)>
+Maker make_instead()
+{
+  static FixCreator host = nullptr;
+  return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
+            return make(host, lmp, narg, arg);
+          }),
+          nullptr, nullptr, &host};
+}
+
+/// Every fix and command of the plugin, and the fixes of the host it takes the place of.
 const std::vector<Style>& style_table();
 
 /// Enters the contact models into the host's factories; once per process.

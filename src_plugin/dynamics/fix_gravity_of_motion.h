@@ -12,11 +12,6 @@ class FixGravityOfMotion : public LAMMPS_NS::FixGravity {
  public:
   using FixGravity::FixGravity;
 
-  static LAMMPS_NS::Fix* make(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-  {
-    return new FixGravityOfMotion(lmp, narg, arg);
-  }
-
   /// One that never changes and acts on all grains can be left to another fix.
   bool is_plain() const { return varflag == 0 && igroup == 0 && !fm && !fix_relax; }
   /// For the run to come.

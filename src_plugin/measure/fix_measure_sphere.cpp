@@ -2,7 +2,6 @@
 
 #include "core/input_error.h"
 #include "output/output_places.h"
-#include "servo/find_platens.h"
 
 #include <numeric>
 
@@ -23,6 +22,7 @@ const KeywordTable FixMeasureSphere::keywords{
 
 FixMeasureSphere::FixMeasureSphere(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
+      platens_(lmp),
       file_("", {}),
       clock_(lmp)
 {
@@ -81,7 +81,7 @@ void FixMeasureSphere::read_spheres(const Options& options)
                        ", write for example 'stack 3 0.04'");
     stack_ = static_cast<int>(wanted);
     for (int n = 0; n < stack_; ++n) add(axis, number_at(words, 1));
-    for (int n = 0; n < 2; ++n) platen_ids_[n] = options.all("platens").front()[n];
+    platens_.read(options);
   }
   if (spheres_.empty())
     throw InputError(
@@ -99,7 +99,7 @@ void FixMeasureSphere::init()
 {
   if (stack_ == 0) return;
   try {
-    find_platens(lmp, platen_ids_, platens_);
+    platens_.find();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -130,16 +130,14 @@ void FixMeasureSphere::clear_sums()
   largest_force_.assign(spheres_.size(), 0.0);
 }
 
-// From one that touches the lower platen to one that touches the upper; a single one half way.
 void FixMeasureSphere::place_stack()
 {
+  if (stack_ == 0) return;
+  const HeightWindow window = platens_.now().window();
   const std::size_t first = spheres_.size() - stack_;
   for (int n = 0; n < stack_; ++n) {
     MeasuringSphere& sphere = spheres_[first + n];
-    const double low = platens_[1]->height() + sphere.radius;
-    const double high = platens_[0]->height() - sphere.radius;
-    const double part = stack_ > 1 ? static_cast<double>(n) / (stack_ - 1) : 0.5;
-    sphere.center.z() = low + part * (high - low);
+    sphere.center.z() = window.level_in_stack(n, stack_, sphere.radius);
   }
 }
 

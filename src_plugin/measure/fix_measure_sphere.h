@@ -7,14 +7,13 @@
 #include "measure/measuring_sphere.h"
 #include "output/csv_series.h"
 #include "output/vtk_series.h"
+#include "specimen/platens_of_deck.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace encased_column {
-
-class FixServoPlaten;
 
 /// `fix measure/sphere`: porosity, coordination, stress and forces in balls that stand still or
 /// follow the platens, as rows of a CSV file and points of VTK files.
@@ -54,8 +53,7 @@ class FixMeasureSphere : public LAMMPS_NS::Fix,
 
   std::vector<MeasuringSphere> spheres_;  ///< those that stand still, then the stack
   int stack_ = 0;                         ///< number of those in the stack
-  std::string platen_ids_[2];
-  FixServoPlaten* platens_[2] = {nullptr, nullptr};  ///< top, bottom
+  PlatensOfDeck platens_;                 ///< of the stack
 
   long row_every_ = 1, frame_every_ = 1;  ///< steps
   bool setting_up_ = false, warned_ = false, sampled_ = false;

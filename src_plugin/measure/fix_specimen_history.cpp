@@ -6,7 +6,6 @@
 #include "host/rank_sums.h"
 #include "host/stop_run.h"
 #include "output/output_places.h"
-#include "servo/find_platens.h"
 
 #include <cstring>
 
@@ -23,12 +22,14 @@ const KeywordTable FixSpecimenHistory::keywords{
 
 FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
+      platens_(lmp),
+      side_(lmp),
       file_("", {})
 {
   try {
     const Options options = keywords.read(narg, arg);
-    for (int n = 0; n < 2; ++n) platen_ids_[n] = options.all("platens").front()[n];
-    side_id_ = options.word("side");
+    platens_.read(options);
+    side_.name("side", options.word("side"), "cylinder or sleeve");
     motion_id_ = options.word("motion");
     nevery = static_cast<int>(options.integer("every", 1, 200));
     const std::string file = options.word("file", "history.csv");
@@ -55,11 +56,8 @@ void FixSpecimenHistory::init()
 {
   most_grains_ = atom->natoms;
   try {
-    FixServoPlaten* platens[2];
-    find_platens(lmp, platen_ids_, platens);
-    top_ = platens[0];
-    bottom_ = platens[1];
-    side_ = find_fix<SpecimenSide>(lmp, "side", side_id_, "cylinder or sleeve");
+    platens_.find();
+    side_.find();
     motion_ = find_fix<FixMotion>(lmp, "motion", motion_id_, "fix motion");
     if (nevery % motion_->every() != 0)
       throw InputError("'every' must be a multiple of the 'every' of fix " + motion_id_ +

@@ -3,8 +3,9 @@
 #include "core/keyword_table.h"
 #include "host/contact_probe.h"
 #include "measure/energy_account.h"
-#include "measure/specimen_state.h"
 #include "output/csv_series.h"
+#include "specimen/platens_of_deck.h"
+#include "specimen/specimen.h"
 
 #include <string>
 #include <vector>
@@ -12,8 +13,6 @@
 namespace encased_column {
 
 class FixMotion;
-class FixServoPlaten;
-class SpecimenSide;
 
 /// Writes the curves of a test: a row of history.csv every N steps.
 class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public ContactLossOwner {
@@ -52,9 +51,8 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
 
   static const std::vector<std::string>& columns();
   void clear_sums();
-  bool is_in_core(int i) const;
+  bool is_in_core(int i) const { return core_heights_.holds(atom->x[i][2]); }
   void add_to_core(int i, const Vec3& lever, const Vec3& force);
-  SpecimenState state() const;
   Sums sum_up();
   void check_grains(const Sums& sums);
   void take_sample();
@@ -62,10 +60,11 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   void write_row();
   void stop_writing() const;
 
-  std::string platen_ids_[2], side_id_, motion_id_;
-  FixServoPlaten* top_ = nullptr;
-  FixServoPlaten* bottom_ = nullptr;
-  SpecimenSide* side_ = nullptr;
+  Specimen specimen() const { return {platens_.now(), *side_}; }
+
+  PlatensOfDeck platens_;
+  NamedFix<LateralBoundary> side_;
+  std::string motion_id_;
   FixMotion* motion_ = nullptr;
 
   LAMMPS_NS::bigint most_grains_ = 0;  ///< in any sample of this run
@@ -73,6 +72,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   bool reference_wanted_ = false;
   std::vector<int> contacts_of_;
   double shared_volume_ = 0.0, elastic_ = 0.0;
+  HeightWindow core_heights_;  ///< of this sample
   CoreStress core_;
 
   SpecimenState reference_, now_;

@@ -5,7 +5,6 @@
 #include "dynamics/inertial_number.h"
 #include "measure/coordination.h"
 #include "measure/sphere_overlap.h"
-#include "servo/fix_servo_platen.h"
 
 namespace encased_column {
 
@@ -48,25 +47,13 @@ const std::vector<std::string>& FixSpecimenHistory::columns()
   return names;
 }
 
-SpecimenState FixSpecimenHistory::state() const
-{
-  SpecimenState s;
-  const double z_low = bottom_->height(), z_high = top_->height();
-  s.height = z_high - z_low;
-  s.volume = side_->enclosed_volume(z_low, z_high);
-  for (int n = 0; n < 3; ++n) s.radius[n] = side_->radius_at(z_low + 0.25 * (n + 1) * s.height);
-  s.stress_top = top_->stress();
-  s.stress_bottom = bottom_->stress();
-  s.confining_stress = side_->confining_stress();
-  return s;
-}
-
 void FixSpecimenHistory::take_sample()
 {
   const Sums sums = sum_up();
   check_grains(sums);
-  now_ = state();
-  energy_ = {top_->work_on_grains() + bottom_->work_on_grains(),
+  const Specimen specimen = this->specimen();
+  now_ = specimen.state();
+  energy_ = {specimen.platens().work(),
              side_->work(),
              sums.weight_height,
              sums.elastic + side_->stored_energy(),
@@ -79,7 +66,7 @@ void FixSpecimenHistory::take_sample()
 
   const double confining = now_.confining_stress;
   const double p = mean_stress(0.5 * (now_.stress_top + now_.stress_bottom), confining);
-  const double rate = (top_->speed() + bottom_->speed()) / now_.height;
+  const double rate = specimen.axial_strain_rate();
   // Stress of the grains, spread over the room they take up with their share of the voids.
   const double per_volume =
       sums.core_solid > 0.0 ? sums.solid / now_.volume / sums.core_solid : 0.0;

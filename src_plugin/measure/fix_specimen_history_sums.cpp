@@ -7,7 +7,6 @@
 #include "host/rank_sums.h"
 #include "measure/love_weber.h"
 #include "measure/sphere_overlap.h"
-#include "servo/fix_servo_platen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +17,7 @@ void FixSpecimenHistory::clear_sums()
 {
   contacts_of_.assign(atom->nlocal, 0);
   shared_volume_ = elastic_ = 0.0;
+  core_heights_ = specimen().window().middle_third();
   core_ = CoreStress();
 }
 
@@ -36,19 +36,10 @@ void FixSpecimenHistory::add_contact(const Contact& contact)
   elastic_ += contact.share * contact.stored_energy;
 }
 
-// The middle third of the height: away from what the platens do to the stress.
-bool FixSpecimenHistory::is_in_core(int i) const
-{
-  const double low = bottom_->height(), high = top_->height(), third = (high - low) / 3.0;
-  return atom->x[i][2] > low + third && atom->x[i][2] < high - third;
-}
-
 void FixSpecimenHistory::add_to_core(int i, const Vec3& lever, const Vec3& force)
 {
   if (!is_in_core(i)) return;
-  Vec3 outward = as_vec3(atom->x[i]) - side_->axis();
-  outward.z() = 0.0;
-  outward.normalize();
+  const Vec3 outward = specimen().outward(as_vec3(atom->x[i]));
   core_.axial += love_weber(force, lever, Vec3::UnitZ());
   core_.radial += love_weber(force, lever, outward);
 }
@@ -102,10 +93,7 @@ void FixSpecimenHistory::check_grains(const Sums& sums)
                       ", enlarge the box or slow the walls")
                          .c_str());
   const double outside = sum_over_ranks(
-      atom->nlocal == 0
-          ? 0.0
-          : side_->count_outside(atom->x[0], atom->nlocal, bottom_->height(), top_->height()),
-      world);
+      atom->nlocal == 0 ? 0.0 : specimen().count_outside(atom->x[0], atom->nlocal), world);
   if (outside > 0.0)
     error->fix_error(
         FLERR, this,

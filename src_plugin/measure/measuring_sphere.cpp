@@ -2,8 +2,8 @@
 
 #include "measure/coordination.h"
 #include "measure/love_weber.h"
-#include "measure/specimen_state.h"
 #include "measure/sphere_overlap.h"
+#include "specimen/specimen.h"
 
 namespace encased_column {
 

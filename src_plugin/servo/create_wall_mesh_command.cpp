@@ -40,7 +40,7 @@ void refuse_keywords_of_the_other_shape(const Options& options, const std::strin
                        "', found '" + keyword + " " + options.word(keyword) + "', leave it out");
 }
 
-WallMesh mesh_of(const Options& options)
+SurfaceMesh mesh_of(const Options& options)
 {
   const std::string shape = options.choice("shape", {"cylinder", "square"});
   refuse_keywords_of_the_other_shape(options, shape);
@@ -51,13 +51,13 @@ WallMesh mesh_of(const Options& options)
 }
 
 /// True when the whole file was written.
-bool write_stl(const WallMesh& mesh, const std::string& file, bool binary)
+bool write_stl(const SurfaceMesh& mesh, const std::string& file, bool binary)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const Vec3& node : mesh.nodes) points->InsertNextPoint(node.data());
+  for (const Vec3& node : mesh.node) points->InsertNextPoint(node.data());
   vtkNew<vtkCellArray> cells;
-  for (const auto& triangle : mesh.triangles)
+  for (const auto& triangle : mesh.facet)
     cells->InsertNextCell({triangle[0], triangle[1], triangle[2]});
   vtkNew<vtkPolyData> surface;
   surface->SetPoints(points);
@@ -80,7 +80,7 @@ void CreateWallMeshCommand::command(int narg, char** arg)
     const Options options = keywords.read(narg, arg, 0);
     const std::string file = options.word("file");
     const bool binary = options.choice("format", {"ascii", "binary"}, "ascii") == "binary";
-    const WallMesh mesh = mesh_of(options);
+    const SurfaceMesh mesh = mesh_of(options);
 
     int written = comm->me != 0 || write_stl(mesh, file, binary);
     // also the barrier behind which every rank may read the file
@@ -89,9 +89,8 @@ void CreateWallMeshCommand::command(int narg, char** arg)
       throw InputError("'file' must be a path that can be written, found '" + file +
                        "', write one whose folder exists and has room");
     if (comm->me == 0) {
-      const std::string report = "Wall mesh " + file + ": " + std::to_string(mesh.nodes.size()) +
-                                 " nodes, " + std::to_string(mesh.triangles.size()) +
-                                 " triangles\n";
+      const std::string report = "Wall mesh " + file + ": " + std::to_string(mesh.node.size()) +
+                                 " nodes, " + std::to_string(mesh.facet.size()) + " triangles\n";
       if (screen) std::fputs(report.c_str(), screen);
       if (logfile) std::fputs(report.c_str(), logfile);
     }

@@ -1,11 +1,9 @@
 #include "servo/fix_servo_platen.h"
 
-#include "host/find_fix.h"
-
 namespace encased_column {
 
 const KeywordTable FixServoPlaten::keywords{
-    WallDrive::keywords(),
+    WallMotion::keywords(),
     {
         {"position", 1, "-", "`top` or `bottom` of the specimen"},
         {"z", 1, "m", "height of its face at the start"},
@@ -14,7 +12,8 @@ const KeywordTable FixServoPlaten::keywords{
     }};
 
 FixServoPlaten::FixServoPlaten(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : RigidWall(lmp, narg, arg)
+    : RigidWall(lmp, narg, arg),
+      side_(lmp)
 {
   try {
     const Options options = keywords.read(narg, arg);
@@ -25,7 +24,7 @@ FixServoPlaten::FixServoPlaten(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
                        std::string(options.has("side") ? "both" : "neither") +
                        ", write 'side ID' or 'area 0.00785'");
     if (options.has("area")) area_ = options.positive("area");
-    side_id_ = options.word("side", "");
+    if (options.has("side")) side_.name("side", options.word("side"), "cylinder or sleeve");
     read_wall(options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
@@ -34,30 +33,28 @@ FixServoPlaten::FixServoPlaten(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 
 void FixServoPlaten::find_partners()
 {
-  side_ = nullptr;
-  if (!side_id_.empty())
-    side_ = find_fix<SpecimenSide>(lmp, "side", side_id_, "cylinder or sleeve");
+  if (side_.is_named()) side_.find();
 }
 
 bool FixServoPlaten::has_partners() const
 {
-  return side_id_.empty() || is_there(lmp, side_);
+  return !side_.is_named() || side_.is_there();
 }
 
 // Before the first run, and when the side was taken away, there is no area.
 double FixServoPlaten::stress() const
 {
-  return has_partners() ? load().force / loaded_area() : 0.0;
+  return has_partners() ? load().stress_on(loaded_area()) : 0.0;
 }
 
 double FixServoPlaten::loaded_area() const
 {
-  return side_ ? side_->cross_section(plane_.z) : area_;
+  return side_.is_named() ? side_->cross_section(plane_.z) : area_;
 }
 
-double FixServoPlaten::usual_speed_limit() const
+double FixServoPlaten::mean_radius() const
 {
-  return 1e-5 * std::sqrt(loaded_area() / pi) / update->dt;
+  return radius_of_section(loaded_area());
 }
 
 double FixServoPlaten::compute_vector(int n)
@@ -66,13 +63,13 @@ double FixServoPlaten::compute_vector(int n)
     case 0:
       return stress();
     case 1:
-      return load().force;
+      return force();
     case 2:
       return height();
     case 3:
       return speed();
     case 4:
-      return work_on_grains();
+      return work();
     default:
       return ramp_left();
   }

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "host/find_fix.h"
 #include "servo/rigid_wall.h"
-#include "servo/specimen_side.h"
 #include "servo/wall_shape.h"
+#include "specimen/lateral_boundary.h"
+#include "specimen/platen.h"
 
 namespace encased_column {
 
 /// A flat rigid platen across the z axis.
-class FixServoPlaten : public RigidWall {
+class FixServoPlaten : public RigidWall, public Platen {
  public:
   static const KeywordTable keywords;
 
@@ -15,15 +17,18 @@ class FixServoPlaten : public RigidWall {
   void post_force(int) override { press_grains(); }
   double compute_vector(int n) override;
 
-  double height() const { return plane_.z; }  ///< of its face [m]
-  double stress() const;                      ///< on the cross section [Pa]
-  bool is_top() const { return plane_.outward > 0.0; }
+  bool is_top() const override { return plane_.outward > 0.0; }
+  double height() const override { return plane_.z; }
+  double speed() const override { return RigidWall::speed(); }
+  double force() const override { return load().force; }
+  double stress() const override;
+  double work() const override { return work_on_grains(); }
 
  protected:
   void find_partners() override;
   bool has_partners() const override;
   double loaded_area() const override;
-  double usual_speed_limit() const override;
+  double mean_radius() const override;
   void advance(double distance) override { plane_.advance(distance); }
   double position() const override { return plane_.z; }
   void set_position(double z) override { plane_.z = z; }
@@ -32,8 +37,7 @@ class FixServoPlaten : public RigidWall {
  private:
   PlaneShape plane_;
   double area_ = 0.0;
-  std::string side_id_;
-  SpecimenSide* side_ = nullptr;
+  NamedFix<LateralBoundary> side_;  ///< whose cross section carries the load, or that area
 };
 
 }  // namespace encased_column

@@ -1,12 +1,9 @@
 #include "servo/rigid_wall.h"
 
 #include "host/rank_sums.h"
+#include "host/restart_block.h"
 
 #include "pair_gran.h"
-
-#include <algorithm>
-#include <cstring>
-#include <type_traits>
 
 namespace encased_column {
 
@@ -33,7 +30,7 @@ void RigidWall::read_wall(const Options& options)
                        " atom types, found " + std::to_string(wall_type_) +
                        ", write a smaller one or make room in 'create_box'");
   }
-  drive_.read(options, update->ntimestep, stress_now());
+  motion_.read(options, update->ntimestep, stress_now());
 }
 
 // A wall that comes from a restart file feels nothing before its set-up: until then, the file
@@ -41,7 +38,7 @@ void RigidWall::read_wall(const Options& options)
 double RigidWall::stress_now() const
 {
   if (!is_set_up_) return restored_stress_;
-  return load().stiffness > 0.0 && has_partners() ? load().force / loaded_area() : 0.0;
+  return load().stiffness > 0.0 && has_partners() ? load().stress_on(loaded_area()) : 0.0;
 }
 
 int RigidWall::setmask()
@@ -84,74 +81,78 @@ const WallLoad& RigidWall::load() const
 
 double RigidWall::work_on_grains() const
 {
-  return sum_over_ranks(work_, world);
+  return sum_over_ranks(work_.done(), world);
 }
 
 void RigidWall::initial_integrate(int)
 {
   // The cross section of a sleeve takes a pass over its facets: found only where it counts.
-  const bool by_load = drive_.follows_stress();
-  speed_ = drive_.speed(update->ntimestep, update->dt, by_load ? load() : WallLoad(),
-                        by_load ? loaded_area() : 0.0, by_load ? usual_speed_limit() : 0.0);
+  const bool by_load = motion_.follows_stress();
+  speed_ = motion_.speed(update->ntimestep, update->dt, by_load ? load() : WallLoad(),
+                         by_load ? loaded_area() : 0.0,
+                         by_load ? usual_speed_limit(mean_radius(), update->dt) : 0.0);
   check_reach();
-  force_before_ = own_load_.force;
-  way_ = speed_ * update->dt;
-  advance(way_);
+  const double way = speed_ * update->dt;
+  work_.begin_step(own_load_.force, way);
+  advance(way);
 }
 
 // The load is the same on every rank, and so is the end.
 void RigidWall::check_reach()
 {
-  if (!drive_.is_out_of_reach()) return;
+  if (!motion_.is_out_of_reach()) return;
   const std::string found =
       "'servo' must be a stress that the grains can bear, found " + in_words(stress_now()) +
-      " of " + in_words(drive_.target(update->ntimestep)) + " Pa after " +
-      std::to_string(drive_.patience()) + " steps at the speed limit at step " +
+      " of " + in_words(motion_.target(update->ntimestep)) + " Pa after " +
+      std::to_string(motion_.patience()) + " steps at the speed limit at step " +
       std::to_string(update->ntimestep) +
       ", write a stress in reach, or a larger 'patience' where the way is long";
   error->fix_error(FLERR, this, found.c_str());
 }
 
-// Trapezoid of the force over the way: the work a spring between wall and grain really takes. The
-// step may be another by now.
 void RigidWall::final_integrate()
 {
-  work_ += 0.5 * (force_before_ + own_load_.force) * way_;
+  work_.end_step(own_load_.force);
 }
 
 int RigidWall::modify_param(int narg, char** arg)
 {
   try {
-    static const KeywordTable drive_only{WallDrive::keywords(), {}};
+    static const KeywordTable motion_only{WallMotion::keywords(), {}};
     if (load().stiffness > 0.0) find_partners();  // a ramp starts from the stress they give
-    read_wall(drive_only.read(narg, arg, 0));
+    read_wall(motion_only.read(narg, arg, 0));
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
   return narg;
 }
 
+// The stress is where a ramp would start.
 void RigidWall::write_restart(FILE* file)
 {
-  static_assert(std::is_trivially_copyable_v<Saved>);
-  const Saved saved{work_on_grains(), position(), speed_, stress_now(), drive_};
+  std::vector<double> numbers{work_on_grains(), position(), speed_, stress_now()};
   if (comm->me != 0) return;
-  const int size = sizeof(Saved);
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(&saved, sizeof(Saved), 1, file);
+  for (const double number : motion_.state()) numbers.push_back(number);
+  write_block(file, numbers, "");
 }
 
-// The wall goes on as it did, but for what the fix line says of its drive.
+// The wall goes on as it did, but for what the fix line says of its motion.
 void RigidWall::restart(char* buffer)
 {
-  Saved saved;
-  std::memcpy(&saved, buffer, sizeof(Saved));
-  work_ = comm->me == 0 ? saved.work : 0.0;
-  speed_ = saved.speed;
-  restored_stress_ = saved.stress;
-  set_position(saved.position);
-  drive_ = saved.drive;
-  drive_.read(on_fix_line_, update->ntimestep, saved.stress);
+  try {
+    RestartBlock block(buffer);
+    const double work = block.take();
+    work_.restore(comm->me == 0 ? work : 0.0);
+    set_position(block.take());
+    speed_ = block.take();
+    restored_stress_ = block.take();
+    std::array<double, WallMotion::numbers> motion;
+    block.take(motion.data(), motion.size());
+    motion_.restore(motion);
+    motion_.read(on_fix_line_, update->ntimestep, restored_stress_);
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column

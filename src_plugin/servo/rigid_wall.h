@@ -5,17 +5,16 @@
 #include "core/keyword_table.h"
 #include "host/contact_memory_fix.h"
 #include "host/grain_arrays.h"
-#include "servo/wall_drive.h"
+#include "servo/near_grains.h"
+#include "servo/wall_motion.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
 namespace encased_column {
 
 /// What a rigid platen and a rigid cylinder share: contacts with the grains by the linear law, the
-/// drive, the load, the work, and the state in restart files. The walls are exact surfaces, not
+/// motion, the load, the work, and the state in restart files. The walls are exact surfaces, not
 /// meshes: on facets a grain that rolls over an edge is pushed by two of them, then by one, and
 /// never comes to rest.
 class RigidWall : public ContactMemoryFix {
@@ -35,7 +34,7 @@ class RigidWall : public ContactMemoryFix {
   const WallLoad& load() const;
   double work_on_grains() const;           ///< of all ranks [J], to be asked on all of them
   double speed() const { return speed_; }  ///< towards the specimen [m/s]
-  double ramp_left() const { return static_cast<double>(drive_.ramp_left(update->ntimestep)); }
+  double ramp_left() const { return static_cast<double>(motion_.ramp_left(update->ntimestep)); }
 
  protected:
   void read_wall(const Options& options);
@@ -43,8 +42,8 @@ class RigidWall : public ContactMemoryFix {
   virtual void find_partners() = 0;
   /// True where they are found and have not been taken away since.
   virtual bool has_partners() const = 0;
-  virtual double loaded_area() const = 0;  ///< turns stress into force [m^2]
-  virtual double usual_speed_limit() const = 0;
+  virtual double loaded_area() const = 0;     ///< turns stress into force [m^2]
+  virtual double mean_radius() const = 0;     ///< of the specimen at this wall [m]
   virtual void advance(double distance) = 0;  ///< towards the specimen [m]
   /// One number [m] that says where the wall is, for the restart file.
   virtual double position() const = 0;
@@ -58,25 +57,17 @@ class RigidWall : public ContactMemoryFix {
  private:
   template <typename Shape>
   void list_grains_near(const Shape& shape);
-  template <typename Shape, typename Found>
-  void find_contacts(const Shape& shape, const GrainArrays& grains, const Found& found);
   template <typename Shape, typename Row>
   void press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row);
   template <typename Row>
   void press_row(const GrainArrays& grains, Row& row);
-  /// The state in a restart file; the stress is where a ramp would start.
-  struct Saved {
-    double work, position, speed, stress;
-    WallDrive drive;
-  };
-
   double stress_now() const;
   void check_reach();
 
   bool is_set_up_ = false;
   double restored_stress_ = 0.0;  ///< [Pa]
   Options on_fix_line_;
-  WallDrive drive_;
+  WallMotion motion_;
   ContactDesk desk_;
   ContactRow row_;
   RollingRow rolling_row_;
@@ -89,10 +80,9 @@ class RigidWall : public ContactMemoryFix {
   WallLoad own_load_;     ///< of this rank
   mutable WallLoad sum_;  ///< of all, once load() was asked for it
   mutable bool summed_ = true;
-  double speed_ = 0.0, way_ = 0.0;          ///< of this step [m/s], [m]
-  double work_ = 0.0, force_before_ = 0.0;  ///< of this rank
-  std::vector<int> near_;                   ///< grains that may touch until lists are made anew
-  double listed_position_ = 0.0;            ///< of the wall, when they were found [m]
+  double speed_ = 0.0;  ///< of this step [m/s]
+  WallWork work_;       ///< of this rank
+  NearGrains near_;
 };
 
 template <typename Shape>
@@ -101,13 +91,11 @@ void RigidWall::press_grains_with(const Shape& shape)
   desk_.ask_probes();
   own_load_ = WallLoad();
   summed_ = false;
-  // Radii grow in steps that make lists anew.
+  // Radii grow in steps that make new lists.
   all_are_new_ = !advance_memory_ || neighbor->ago == 0 || material_is_new_;
   material_is_new_ = false;
-  // Grains keep their numbers between two lists of pairs.
-  if (neighbor->ago == 0 || std::abs(position() - listed_position_) > 0.5 * neighbor->skin)
-    list_grains_near(shape);
-  if (near_.empty()) return;
+  if (neighbor->ago == 0 || near_.is_stale(position(), neighbor->skin)) list_grains_near(shape);
+  if (near_.numbers().empty()) return;
   const GrainArrays grains(atom);
   if (rolling_)
     press_in_rows(shape, grains, rolling_row_);
@@ -115,59 +103,28 @@ void RigidWall::press_grains_with(const Shape& shape)
     press_in_rows(shape, grains, row_);
 }
 
-// A grain is at most half a skin away from where the last list of pairs found it, so it moves less
-// than a whole one after this list, and the wall half a skin.
 template <typename Shape>
 void RigidWall::list_grains_near(const Shape& shape)
 {
-  const double margin = 1.5 * neighbor->skin;
-  near_.clear();
-  listed_position_ = position();
-  for (int i = 0; i < atom->nlocal; ++i)
-    if ((atom->mask[i] & groupbit) && shape.touches(atom->x[i], atom->radius[i] + margin))
-      near_.push_back(i);
-  remember(near_);
-}
-
-/// Calls `found(n, touch)` for every grain near_[n] that touches the wall. Those are picked out
-/// first, without a branch: which ones touch cannot be guessed, and a wrong guess waits for memory.
-template <typename Shape, typename Found>
-void RigidWall::find_contacts(const Shape& shape, const GrainArrays& grains, const Found& found)
-{
-  constexpr int most = 64;
-  int touching[most];
-  const int all = static_cast<int>(near_.size());
-  for (int first = 0; first < all; first += most) {
-    int number = 0;
-    for (int n = first; n < std::min(first + most, all); ++n) {
-      touching[number] = n;
-      number += shape.touches(grains.x + 3 * near_[n], grains.radius[near_[n]]);
-    }
-    for (int m = 0; m < number; ++m) {
-      const int i = near_[touching[m]];
-      const double* const center = grains.x + 3 * i;
-      const Vec3 normal = shape.normal(center);
-      found(touching[m],
-            Touch{std::max(shape.overlap(center, grains.radius[i]), 0.0),
-                  normal,
-                  desk_.has_dashpots() ? grains.mass[i] : 0.0,
-                  {grains.radius[i], as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
-                  {0.0, -speed_ * normal, Vec3::Zero()}});
-    }
-  }
+  near_.list(shape, position(), neighbor->skin, atom->nlocal ? atom->x[0] : nullptr, atom->radius,
+             atom->nlocal, [this](int i) { return (atom->mask[i] & groupbit) != 0; });
+  remember(near_.numbers());
 }
 
 template <typename Shape, typename Row>
 void RigidWall::press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row)
 {
-  find_contacts(shape, grains, [&](int n, const Touch& touch) {
-    const int i = near_[n];
-    // A center beyond the wall is still pushed back.
-    const double distance = std::max(touch.i.radius - touch.overlap, 1e-3 * touch.i.radius);
-    row.add(i, -1, 1.0, desk_.material(grains.type[i], wall_type_), distance * touch.normal,
-            touch.i, touch.j, touch.mass, contact_memory(n));
-    if (row.is_full()) press_row(grains, row);
-  });
+  near_.find_touching(shape, grains.x, grains.radius,
+                      [&](int n, double overlap, const Vec3& normal) {
+                        const int i = near_.numbers()[n];
+                        const double radius = grains.radius[i];
+                        row.add(i, -1, 1.0, desk_.material(grains.type[i], wall_type_),
+                                distance_to_wall(radius, overlap) * normal,
+                                {radius, as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
+                                {0.0, -speed_ * normal, Vec3::Zero()},
+                                desk_.has_dashpots() ? grains.mass[i] : 0.0, contact_memory(n));
+                        if (row.is_full()) press_row(grains, row);
+                      });
   press_row(grains, row);
 }
 

@@ -9,6 +9,35 @@ namespace encased_column {
 struct WallLoad {
   double force = 0.0;      ///< with which the grains press on it [N]
   double stiffness = 0.0;  ///< sum of the normal stiffness of its contacts [N/m]
+
+  /// Stress [Pa] on the area [m^2] that carries the force.
+  double stress_on(double area) const { return force / area; }
+};
+
+/// Speed limit [m/s] of a wall where the deck gives none: a hundred-thousandth of the specimen's
+/// `radius` [m] per step `dt` [s], far below what grains cover.
+inline double usual_speed_limit(double radius, double dt)
+{
+  return 1e-5 * radius / dt;
+}
+
+/// Work [J] of a moving wall on the grains: the trapezoid of its force over each step's way is what
+/// a spring between wall and grain really takes.
+class WallWork {
+ public:
+  /// At the start of a step, with the force [N] it pressed with so far and the way [m] it goes.
+  void begin_step(double force, double way)
+  {
+    force_before_ = force;
+    way_ = way;
+  }
+  /// At the end of the step, with the force [N] then.
+  void end_step(double force) { done_ += 0.5 * (force_before_ + force) * way_; }
+  double done() const { return done_; }
+  void restore(double work) { done_ = work; }
+
+ private:
+  double done_ = 0.0, force_before_ = 0.0, way_ = 0.0;
 };
 
 /// Speed [m/s] towards the specimen that brings a wall to the stress `target` [Pa].
@@ -37,8 +66,8 @@ struct ServoMemory {
 };
 constexpr double servo_learning = 0.02;
 
-/// As servo_speed(), with the even speed; it learns nothing at the limit, and starts anew where
-/// nothing touches.
+/// As servo_speed(), with the even speed; it learns nothing at the limit, and starts again
+/// where nothing touches.
 inline double steady_servo_speed(const WallLoad& load, double target, double area, double gain,
                                  double dt, double largest_speed, ServoMemory& memory)
 {

@@ -2,6 +2,7 @@
 
 #include "core/constants.h"
 #include "core/input_error.h"
+#include "specimen/ring_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,15 +37,15 @@ int nearest_count(double length, double edge)
 
 /// Two triangles for a cell with corners a (low left), b (low right), c (high right), d (high
 /// left).
-void add_cell(WallMesh& mesh, int a, int b, int c, int d)
+void add_cell(SurfaceMesh& mesh, int a, int b, int c, int d)
 {
-  mesh.triangles.push_back({a, b, c});
-  mesh.triangles.push_back({a, c, d});
+  mesh.facet.push_back({a, b, c});
+  mesh.facet.push_back({a, c, d});
 }
 
 }  // namespace
 
-WallMesh cylinder_mesh(const CylinderWall& wall)
+SurfaceMesh cylinder_mesh(const CylinderWall& wall)
 {
   require_positive("radius", wall.radius);
   if (!(wall.z_high > wall.z_low))
@@ -56,24 +57,14 @@ WallMesh cylinder_mesh(const CylinderWall& wall)
 
   const int around = nearest_count(2.0 * pi * wall.radius, wall.edge);
   const int along = nearest_count(height, wall.edge);
-  WallMesh mesh;
-  for (int ring = 0; ring <= along; ++ring) {
-    // the last ring lies exactly on z_high, whatever the rounding
-    const double z = ring == along ? wall.z_high : wall.z_low + height * ring / along;
-    for (int side = 0; side < around; ++side) {
-      const double angle = 2.0 * pi * side / around;
-      mesh.nodes.emplace_back(wall.radius * std::cos(angle), wall.radius * std::sin(angle), z);
-    }
-  }
-  for (int ring = 0; ring < along; ++ring)
-    for (int side = 0; side < around; ++side) {
-      const int low = ring * around, high = low + around, next = (side + 1) % around;
-      add_cell(mesh, low + side, low + next, high + next, high + side);
-    }
+  SurfaceMesh mesh = mesh_of(Rings{wall.radius, wall.z_low, height, around, along});
+  // the last ring lies exactly on z_high, whatever the rounding
+  for (auto node = mesh.node.end() - around; node != mesh.node.end(); ++node)
+    node->z() = wall.z_high;
   return mesh;
 }
 
-WallMesh square_mesh(const SquareWall& wall)
+SurfaceMesh square_mesh(const SquareWall& wall)
 {
   require_positive("half_width", wall.half_width);
   const double width = 2.0 * wall.half_width;
@@ -81,10 +72,10 @@ WallMesh square_mesh(const SquareWall& wall)
 
   const int cells = nearest_count(width, wall.edge);
   const auto place = [&](int k) { return wall.half_width * (2.0 * k / cells - 1.0); };
-  WallMesh mesh;
+  SurfaceMesh mesh;
   for (int row = 0; row <= cells; ++row)
     for (int column = 0; column <= cells; ++column)
-      mesh.nodes.emplace_back(place(column), place(row), wall.z);
+      mesh.node.emplace_back(place(column), place(row), wall.z);
   const int stride = cells + 1;
   for (int row = 0; row < cells; ++row)
     for (int column = 0; column < cells; ++column) {

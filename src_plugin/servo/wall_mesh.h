@@ -1,17 +1,8 @@
 #pragma once
 
-#include "core/vec3.h"
-
-#include <array>
-#include <vector>
+#include "core/surface_mesh.h"
 
 namespace encased_column {
-
-/// A surface of triangles that share their nodes.
-struct WallMesh {
-  std::vector<Vec3> nodes;                    ///< [m]
-  std::vector<std::array<int, 3>> triangles;  ///< node numbers, anticlockwise seen from outside
-};
 
 /// Lateral surface of an upright cylinder around the z axis, open at both ends.
 struct CylinderWall {
@@ -33,11 +24,11 @@ struct SquareWall {
 /// wanted ones. The cross section is a regular polygon inside the circle.
 /// Throws InputError for a radius or edge that is not positive, for z_high <= z_low, and for edges
 /// longer than the radius (fewer than six sides) or the height.
-WallMesh cylinder_mesh(const CylinderWall& wall);
+SurfaceMesh cylinder_mesh(const CylinderWall& wall);
 
 /// Square cells, each cut into two triangles, normals along +z.
 /// Throws InputError for a half width or edge that is not positive and for edges longer than the
 /// square.
-WallMesh square_mesh(const SquareWall& wall);
+SurfaceMesh square_mesh(const SquareWall& wall);
 
 }  // namespace encased_column

@@ -45,6 +45,18 @@ struct CylinderShape {
   }
   void advance(double distance) { radius -= distance; }
   double cross_section() const { return pi * radius * radius; }
+  /// Inner surface [m^2] of a piece of this height [m], either way.
+  double lateral_area(double height) const { return 2.0 * pi * radius * std::abs(height); }
+  /// Volume [m^3] inside, between two heights [m].
+  double volume(double z_low, double z_high) const { return cross_section() * (z_high - z_low); }
+  /// As LateralBoundary::count_outside().
+  int count_outside(const double* centers, int count, double z_low, double z_high) const
+  {
+    int outside = 0;
+    for (const double* c = centers; c != centers + 3 * count; c += 3)
+      outside += c[2] < z_low || c[2] > z_high || overlap(c, 0.0) >= 0.0;
+    return outside;
+  }
 };
 
 }  // namespace encased_column

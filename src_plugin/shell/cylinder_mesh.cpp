@@ -2,6 +2,7 @@
 
 #include "core/constants.h"
 #include "core/input_error.h"
+#include "specimen/ring_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,29 +43,8 @@ CylinderCounts cylinder_counts(const TubeShape& shape)
 SurfaceMesh cylinder_mesh(const TubeShape& shape)
 {
   const auto [around, rings] = cylinder_counts(shape);
-  SurfaceMesh mesh;
-  mesh.node.reserve(static_cast<std::size_t>(around) * rings);
-  mesh.facet.reserve(2 * static_cast<std::size_t>(around) * (rings - 1));
-  for (int ring = 0; ring < rings; ++ring)
-    for (int i = 0; i < around; ++i) {
-      const double angle = 2.0 * pi * (i + 0.5 * (ring % 2)) / around;
-      mesh.node.emplace_back(shape.center_x + shape.radius * std::cos(angle),
-                             shape.center_y + shape.radius * std::sin(angle),
-                             shape.bottom + shape.height * ring / (rings - 1));
-    }
-  const int turn = around;
-  for (int ring = 0; ring + 1 < rings; ++ring)
-    for (int i = 0; i < around; ++i) {
-      const int j = (i + 1) % turn;
-      const int low = ring * turn, high = low + turn;
-      if (ring % 2 == 0) {  // the upper ring is half an edge ahead
-        mesh.facet.push_back({low + i, low + j, high + i});
-        mesh.facet.push_back({low + j, high + j, high + i});
-      } else {
-        mesh.facet.push_back({low + i, low + j, high + j});
-        mesh.facet.push_back({low + i, high + j, high + i});
-      }
-    }
+  SurfaceMesh mesh = mesh_of(Rings{shape.radius, shape.bottom, shape.height, around, rings - 1,
+                                   true, shape.center_x, shape.center_y});
   if (shape.facing == Facing::inward)
     for (Facet& facet : mesh.facet) std::swap(facet[1], facet[2]);
   return mesh;

@@ -1,10 +1,8 @@
 #include "shell/fix_mesh_surface_shell.h"
 
-#include "host/find_fix.h"
 #include "host/grain_arrays.h"
 #include "host/restart_block.h"
 #include "host/stop_run.h"
-#include "servo/find_platens.h"
 #include "shell/sleeve_input.h"
 
 #include "pair_gran.h"
@@ -18,6 +16,7 @@ const KeywordTable FixMeshSurfaceShell::keywords{sleeve_keywords(), {}};
 
 FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : ContactMemoryFix(lmp, narg, arg),
+      platens_(lmp),
       desk_(lmp, ContactKind::sleeve)
 {
   try {
@@ -27,7 +26,7 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
       throw InputError("'type' must be one of the " + std::to_string(atom->ntypes) +
                        " atom types, found " + std::to_string(type_) +
                        ", write a smaller one or make room in 'create_box'");
-    for (int n = 0; n < 2; ++n) platen_ids_[n] = on_fix_line_.all("platens").front()[n];
+    platens_.read(on_fix_line_);
     const ShellConstants constants = read_shell_constants(on_fix_line_);
     sleeve_ =
         std::make_unique<Sleeve>(read_sleeve_mesh(on_fix_line_), constants,
@@ -79,18 +78,10 @@ void FixMeshSurfaceShell::init()
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
     desk_.open(rolling_);
-    const std::string ids[2] = {platen_ids_[0], platen_ids_[1]};
-    find_platens(lmp, ids, platens_);
+    platens_.find();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-}
-
-HeightWindow FixMeshSurfaceShell::window() const
-{
-  // Before the first run, and when a platen was taken away, everything counts.
-  if (!is_there(lmp, platens_[0]) || !is_there(lmp, platens_[1])) return {};
-  return {platens_[1]->height(), platens_[0]->height()};
 }
 
 // Set-up repeats the forces of the step before: what contacts remember stays as it is.
@@ -103,7 +94,8 @@ void FixMeshSurfaceShell::setup(int)
 
 void FixMeshSurfaceShell::initial_integrate(int)
 {
-  sleeve_->advance(update->dt, {platens_[0]->speed(), platens_[1]->speed()});
+  const Platens platens = platens_.now();
+  sleeve_->advance(update->dt, {platens.top->speed(), platens.bottom->speed()});
 }
 
 void FixMeshSurfaceShell::take_loads(bool at_set_up)
@@ -181,7 +173,7 @@ void FixMeshSurfaceShell::final_integrate()
   if (!sleeve_->is_time_to_check(step)) return;
   if (const auto fault = sleeve_->fault(step))
     stop_from_one_rank(lmp, "at step " + std::to_string(step) + " " + *fault);
-  for (const std::string& sentence : sleeve_->warnings(window(), id, platen_ids_, step))
+  for (const std::string& sentence : sleeve_->warnings(window(), id, {platens_.id(true), platens_.id(false)}, step))
     if (comm->me == 0) error->warning(FLERR, sentence.c_str());
 }
 

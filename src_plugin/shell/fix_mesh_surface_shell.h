@@ -4,8 +4,9 @@
 #include "core/keyword_table.h"
 #include "host/contact_memory_fix.h"
 #include "host/rank_sums.h"
-#include "servo/specimen_side.h"
 #include "shell/sleeve.h"
+#include "specimen/lateral_boundary.h"
+#include "specimen/platens_of_deck.h"
 
 #include <array>
 #include <memory>
@@ -13,11 +14,9 @@
 
 namespace encased_column {
 
-class FixServoPlaten;
-
 /// A sleeve around the specimen in two-way contact with the grains. Every rank knows all nodes;
 /// facets and contacts are divided, and their loads summed once a step.
-class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
+class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
  public:
   static const KeywordTable keywords;
 
@@ -56,7 +55,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
 
   const ShellModel& model() const { return sleeve_->model(); }
   /// Between the platens [m].
-  HeightWindow window() const;
+  HeightWindow window() const { return platens_.window(); }
   double pressure_now() const { return sleeve_->pressure(update->ntimestep); }
   SleeveSummary summary() const { return summary_of(model(), window()); }
   /// What the supports of an end take along z, on the sleeve [N].
@@ -72,8 +71,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public SpecimenSide {
   void press(bool advance_memory);
   void finish_loads();
 
-  std::array<std::string, 2> platen_ids_;
-  FixServoPlaten* platens_[2] = {nullptr, nullptr};  ///< top, bottom
+  PlatensOfDeck platens_;
   Options on_fix_line_;
   int type_ = 0;
   bool rolling_ = false;

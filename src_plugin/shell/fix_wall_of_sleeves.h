@@ -1,6 +1,6 @@
 #pragma once
 
-#include "style_table.h"
+#include "host/host_types.h"
 
 namespace encased_column {
 

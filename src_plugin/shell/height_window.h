@@ -1,17 +1,11 @@
 #pragma once
 
 #include "core/vec3.h"
+#include "specimen/height_window.h"
 
 #include <array>
-#include <limits>
 
 namespace encased_column {
-
-/// Heights between which a facet counts [m].
-struct HeightWindow {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-};
 
 /// The part of a facet inside a window: share of its area, and the area coordinates of that part's
 /// centroid, weighted with the share (they sum to it).

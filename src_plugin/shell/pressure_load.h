@@ -1,10 +1,9 @@
 #pragma once
 
+#include "core/linear_ramp.h"
 #include "shell/height_window.h"
 #include "shell/surface_mesh.h"
 
-#include <algorithm>
-#include <array>
 #include <vector>
 
 namespace encased_column {
@@ -33,44 +32,7 @@ inline void add_pressure(const std::vector<Facet>& facet, const std::vector<Vec3
   }
 }
 
-/// Pressure that rises (or falls) linearly with the steps to its target and then stays.
-class PressureRamp {
- public:
-  explicit PressureRamp(double start) : from_(start), to_(start) {}
-
-  /// Heads for `target` [Pa] over `steps` steps from `now` on, starting at the value of `now`.
-  void set(double target, long steps, long now)
-  {
-    from_ = at(now);
-    to_ = target;
-    begin_ = now;
-    steps_ = steps;
-  }
-  double at(long step) const
-  {
-    if (step >= begin_ + steps_) return to_;
-    return from_ + (to_ - from_) * static_cast<double>(step - begin_) / static_cast<double>(steps_);
-  }
-  double target() const { return to_; }
-  /// All there is to know of it, for a restart.
-  static constexpr int numbers = 4;
-  std::array<double, numbers> state() const
-  {
-    return {from_, to_, static_cast<double>(begin_), static_cast<double>(steps_)};
-  }
-  void restore(const std::array<double, numbers>& state)
-  {
-    from_ = state[0];
-    to_ = state[1];
-    begin_ = static_cast<long>(state[2]);
-    steps_ = static_cast<long>(state[3]);
-  }
-  /// Steps until the target is reached.
-  long steps_left(long now) const { return std::max(0L, begin_ + steps_ - now); }
-
- private:
-  double from_, to_;
-  long begin_ = 0, steps_ = 0;
-};
+/// Pressure [Pa] on a sleeve.
+using PressureRamp = LinearRamp;
 
 }  // namespace encased_column

@@ -68,3 +68,33 @@ TEST(SteadyServoSpeed, StartsAnewWithNothingInContact)
   EXPECT_EQ(steady_servo_speed({0.0, 0.0}, 0.0, 0.02, 0.8, 1e-4, 0.5, memory), 0.0);
   EXPECT_EQ(memory.even_speed, 0.0);
 }
+
+TEST(UsualSpeedLimit, CrossesTheRadiusInAHundredThousandSteps)
+{
+  const double dt = 3e-6;
+  EXPECT_NEAR(usual_speed_limit(0.05, dt) * dt * 1e5, 0.05, 1e-15);
+}
+
+// The force of a spring K goes linearly with the way: whatever the steps, the work is the energy
+// the spring stores, K x^2 / 2.
+TEST(WallWork, OnASpringIsTheEnergyItStores)
+{
+  const double stiffness = 3e6;
+  WallWork work;
+  double compression = 0.0;
+  for (const double way : {1e-5, 4e-5, -2e-5, 0.0, 7e-5}) {
+    work.begin_step(stiffness * compression, way);
+    compression += way;
+    work.end_step(stiffness * compression);
+    EXPECT_NEAR(work.done(), 0.5 * stiffness * compression * compression, 1e-15);
+  }
+}
+
+TEST(WallWork, GoesOnFromWhatARestartFileSays)
+{
+  WallWork work;
+  work.restore(2.0);
+  work.begin_step(10.0, 0.1);
+  work.end_step(30.0);
+  EXPECT_DOUBLE_EQ(work.done(), 4.0);
+}

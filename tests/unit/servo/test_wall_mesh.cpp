@@ -15,24 +15,24 @@ namespace {
 
 const CylinderWall specimen{0.05, -0.01, 0.21, 0.011};
 
-Vec3 area_vector(const WallMesh& mesh, const std::array<int, 3>& t)
+Vec3 area_vector(const SurfaceMesh& mesh, const Facet& t)
 {
-  const Vec3 a = mesh.nodes[t[0]];
-  return 0.5 * (mesh.nodes[t[1]] - a).cross(mesh.nodes[t[2]] - a);
+  const Vec3 a = mesh.node[t[0]];
+  return 0.5 * (mesh.node[t[1]] - a).cross(mesh.node[t[2]] - a);
 }
 
-double area(const WallMesh& mesh)
+double area(const SurfaceMesh& mesh)
 {
   double sum = 0.0;
-  for (const auto& t : mesh.triangles) sum += area_vector(mesh, t).norm();
+  for (const auto& t : mesh.facet) sum += area_vector(mesh, t).norm();
   return sum;
 }
 
 /// How often each edge is walked in each direction.
-std::map<std::pair<int, int>, int> walked_edges(const WallMesh& mesh)
+std::map<std::pair<int, int>, int> walked_edges(const SurfaceMesh& mesh)
 {
   std::map<std::pair<int, int>, int> walked;
-  for (const auto& t : mesh.triangles)
+  for (const auto& t : mesh.facet)
     for (int k = 0; k < 3; ++k) ++walked[{t[k], t[(k + 1) % 3]}];
   return walked;
 }
@@ -58,9 +58,9 @@ TEST(CylinderMesh, HasTheAreaOfThePrismInsideTheCylinder)
 
 TEST(CylinderMesh, HasItsNodesOnTheRadiusAndItsEndsOnBothHeights)
 {
-  const WallMesh mesh = cylinder_mesh(specimen);
+  const SurfaceMesh mesh = cylinder_mesh(specimen);
   double low = 1.0, high = -1.0;
-  for (const Vec3& node : mesh.nodes) {
+  for (const Vec3& node : mesh.node) {
     EXPECT_NEAR(std::hypot(node.x(), node.y()), 0.05, 1e-16);
     low = std::min(low, node.z());
     high = std::max(high, node.z());
@@ -72,15 +72,15 @@ TEST(CylinderMesh, HasItsNodesOnTheRadiusAndItsEndsOnBothHeights)
 // An oriented surface walks an inner edge once each way; only the two end circles are walked once.
 TEST(CylinderMesh, IsWatertightBetweenItsTwoEndCircles)
 {
-  const WallMesh mesh = cylinder_mesh(specimen);
+  const SurfaceMesh mesh = cylinder_mesh(specimen);
   const auto walked = walked_edges(mesh);
   int open = 0;
   for (const auto& [edge, times] : walked) {
     EXPECT_EQ(times, 1);
     if (walked.count({edge.second, edge.first})) continue;
     ++open;
-    const double z = mesh.nodes[edge.first].z();
-    EXPECT_EQ(z, mesh.nodes[edge.second].z());
+    const double z = mesh.node[edge.first].z();
+    EXPECT_EQ(z, mesh.node[edge.second].z());
     EXPECT_TRUE(z == -0.01 || z == 0.21);
   }
   EXPECT_EQ(open, 2 * std::lround(2.0 * pi * 0.05 / 0.011));
@@ -88,9 +88,9 @@ TEST(CylinderMesh, IsWatertightBetweenItsTwoEndCircles)
 
 TEST(CylinderMesh, HasEveryNormalAwayFromTheAxis)
 {
-  const WallMesh mesh = cylinder_mesh(specimen);
-  for (const auto& t : mesh.triangles) {
-    Vec3 center = (mesh.nodes[t[0]] + mesh.nodes[t[1]] + mesh.nodes[t[2]]) / 3.0;
+  const SurfaceMesh mesh = cylinder_mesh(specimen);
+  for (const auto& t : mesh.facet) {
+    Vec3 center = (mesh.node[t[0]] + mesh.node[t[1]] + mesh.node[t[2]]) / 3.0;
     center.z() = 0.0;
     EXPECT_GT(area_vector(mesh, t).normalized().dot(center.normalized()), 0.99);
   }
@@ -100,20 +100,20 @@ TEST(CylinderMesh, HasEveryNormalAwayFromTheAxis)
 // polygons is the volume of the prism; the ends give n . x = z times the polygon's area.
 TEST(CylinderMesh, EnclosesTheVolumeOfThePrism)
 {
-  const WallMesh mesh = cylinder_mesh(specimen);
+  const SurfaceMesh mesh = cylinder_mesh(specimen);
   const double sides = std::lround(2.0 * pi * 0.05 / 0.011);
   const double polygon = 0.5 * sides * 0.05 * 0.05 * std::sin(2.0 * pi / sides);
   double flux = polygon * 0.22;
-  for (const auto& t : mesh.triangles) flux += area_vector(mesh, t).dot(mesh.nodes[t[0]]);
+  for (const auto& t : mesh.facet) flux += area_vector(mesh, t).dot(mesh.node[t[0]]);
   EXPECT_NEAR(flux / 3.0, polygon * 0.22, 1e-16);
 }
 
 TEST(CylinderMesh, HasEdgesWithinAFifthOfTheWantedLength)
 {
-  const WallMesh mesh = cylinder_mesh(specimen);
-  const auto& t = mesh.triangles.front();
-  EXPECT_NEAR((mesh.nodes[t[1]] - mesh.nodes[t[0]]).norm(), 0.011, 0.0022);
-  EXPECT_NEAR((mesh.nodes[t[2]] - mesh.nodes[t[1]]).norm(), 0.011, 0.0022);
+  const SurfaceMesh mesh = cylinder_mesh(specimen);
+  const auto& t = mesh.facet.front();
+  EXPECT_NEAR((mesh.node[t[1]] - mesh.node[t[0]]).norm(), 0.011, 0.0022);
+  EXPECT_NEAR((mesh.node[t[2]] - mesh.node[t[1]]).norm(), 0.011, 0.0022);
 }
 
 TEST(CylinderMesh, RefusesWhatCannotBeMeshed)
@@ -133,22 +133,22 @@ TEST(CylinderMesh, RefusesWhatCannotBeMeshed)
 
 TEST(SquareMesh, HasTheAreaOfTheSquareAndNormalsUp)
 {
-  const WallMesh mesh = square_mesh({0.06, 0.2, 0.02});
+  const SurfaceMesh mesh = square_mesh({0.06, 0.2, 0.02});
   Vec3 sum = Vec3::Zero();
-  for (const auto& t : mesh.triangles) sum += area_vector(mesh, t);
+  for (const auto& t : mesh.facet) sum += area_vector(mesh, t);
   EXPECT_NEAR(sum.z(), 0.12 * 0.12, 1e-16);
   EXPECT_NEAR(area(mesh), 0.12 * 0.12, 1e-16);
-  for (const Vec3& node : mesh.nodes) EXPECT_EQ(node.z(), 0.2);
+  for (const Vec3& node : mesh.node) EXPECT_EQ(node.z(), 0.2);
 }
 
 TEST(SquareMesh, IsOpenOnlyAlongItsRim)
 {
-  const WallMesh mesh = square_mesh({0.06, 0.2, 0.02});
+  const SurfaceMesh mesh = square_mesh({0.06, 0.2, 0.02});
   const auto walked = walked_edges(mesh);
   for (const auto& [edge, times] : walked) {
     EXPECT_EQ(times, 1);
     if (walked.count({edge.second, edge.first})) continue;
-    const Vec3 middle = 0.5 * (mesh.nodes[edge.first] + mesh.nodes[edge.second]);
+    const Vec3 middle = 0.5 * (mesh.node[edge.first] + mesh.node[edge.second]);
     EXPECT_NEAR(std::max(std::abs(middle.x()), std::abs(middle.y())), 0.06, 1e-16);
   }
 }

@@ -54,3 +54,22 @@ TEST(CylinderShape, AdvancesTowardsItsAxis)
   EXPECT_NEAR(wall.overlap(center, 0.01) - before, 1e-4, 1e-15);
   EXPECT_DOUBLE_EQ(wall.cross_section(), pi * 0.0499 * 0.0499);
 }
+
+TEST(CylinderShape, HasTheSurfaceAndVolumeOfAPiece)
+{
+  const CylinderShape wall{0.05, 0.01, -0.02};
+  EXPECT_DOUBLE_EQ(wall.lateral_area(0.2), 2.0 * pi * 0.05 * 0.2);
+  EXPECT_DOUBLE_EQ(wall.lateral_area(-0.2), wall.lateral_area(0.2));
+  EXPECT_DOUBLE_EQ(wall.volume(0.1, 0.3), pi * 0.05 * 0.05 * 0.2);
+}
+
+TEST(CylinderShape, CountsCentersBeyondItAndBeyondBothHeights)
+{
+  const CylinderShape wall{0.05, 0.01, -0.02};
+  const double centers[] = {0.01,  -0.02, 0.1,    // on the axis
+                            0.01,  -0.02, 0.21,   // above
+                            0.01,  -0.02, -0.01,  // below
+                            0.055, -0.02, 0.1,    // 45 mm from the axis
+                            0.01,  0.035, 0.1};   // 55 mm
+  EXPECT_EQ(wall.count_outside(centers, 5, 0.0, 0.2), 3);
+}

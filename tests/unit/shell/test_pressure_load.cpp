@@ -107,16 +107,3 @@ TEST(PartInWindow, PartsOfAdjoiningWindowsMakeTheWholeFacet)
     EXPECT_NEAR((low.weight + high.weight - Vec3::Constant(1.0 / 3.0)).norm(), 0.0, 1e-14);
   }
 }
-
-TEST(PressureRamp, RisesEvenlyAndThenStays)
-{
-  PressureRamp ramp(0.0);
-  EXPECT_EQ(ramp.at(5), 0.0);
-  ramp.set(10e3, 200, 100);
-  EXPECT_DOUBLE_EQ(ramp.at(100), 0.0);
-  EXPECT_DOUBLE_EQ(ramp.at(150), 2.5e3);
-  EXPECT_DOUBLE_EQ(ramp.at(300), 10e3);
-  EXPECT_DOUBLE_EQ(ramp.at(5000), 10e3);
-  ramp.set(0.0, 100, 350);
-  EXPECT_DOUBLE_EQ(ramp.at(400), 5e3);
-}

@@ -1,15 +1,22 @@
 #pragma once
 
+#include "core/constants.h"
 #include "core/vec3.h"
 
-#include <string>
+#include <cmath>
 
 namespace encased_column {
 
+/// Mean radius [m] of a cross section [m^2]: that of a circle of the same area.
+inline double radius_of_section(double area)
+{
+  return std::sqrt(area / pi);
+}
+
 /// The lateral boundary of a specimen: a rigid cylinder or a sleeve. The specimen stands along z.
-class SpecimenSide {
+class LateralBoundary {
  public:
-  virtual ~SpecimenSide() = default;
+  virtual ~LateralBoundary() = default;
 
   /// A point of the center line [m].
   virtual Vec3 axis() const = 0;

@@ -1,4 +1,4 @@
-#include "servo/wall_drive.h"
+#include "servo/wall_motion.h"
 
 #include "core/input_error.h"
 
@@ -7,7 +7,7 @@
 
 namespace encased_column {
 
-const std::vector<Keyword>& WallDrive::keywords()
+const std::vector<Keyword>& WallMotion::keywords()
 {
   static const std::vector<Keyword> keywords{
       {"type", 1, "-", "atom type that stands for the material of the wall"},
@@ -23,7 +23,7 @@ const std::vector<Keyword>& WallDrive::keywords()
   return keywords;
 }
 
-void WallDrive::read(const Options& options, long step, double stress_now)
+void WallMotion::read(const Options& options, long step, double stress_now)
 {
   if (options.has("hold") + options.has("velocity") + options.has("servo") > 1)
     throw InputError(
@@ -43,22 +43,13 @@ void WallDrive::read(const Options& options, long step, double stress_now)
     mode_ = Mode::servo;
     memory_ = ServoMemory();
     steps_at_limit_ = 0;
-    target_ = options.not_negative("servo", 0.0);
-    ramp_from_ = stress_now;
-    ramp_start_ = step;
-    ramp_steps_ = options.integer("ramp", 1, 0);
+    ramp_.start_from(stress_now, options.not_negative("servo", 0.0), options.integer("ramp", 1, 0),
+                     step);
   }
 }
 
-double WallDrive::target(long step) const
-{
-  const long done = step - ramp_start_;
-  if (done >= ramp_steps_) return target_;
-  const double part = static_cast<double>(done) / static_cast<double>(ramp_steps_);
-  return ramp_from_ + (target_ - ramp_from_) * part;
-}
-
-double WallDrive::speed(long step, double dt, const WallLoad& load, double area, double usual_limit)
+double WallMotion::speed(long step, double dt, const WallLoad& load, double area,
+                         double usual_limit)
 {
   if (mode_ == Mode::hold) return 0.0;
   if (mode_ == Mode::velocity) return velocity_;
@@ -68,12 +59,7 @@ double WallDrive::speed(long step, double dt, const WallLoad& load, double area,
   return speed;
 }
 
-long WallDrive::ramp_left(long step) const
-{
-  return mode_ == Mode::servo ? std::max(ramp_start_ + ramp_steps_ - step, 0L) : 0L;
-}
-
-void WallDrive::count_step(double speed, double limit)
+void WallMotion::count_step(double speed, double limit)
 {
   if (std::abs(speed) < limit)
     steps_at_limit_ = 0;
@@ -81,6 +67,34 @@ void WallDrive::count_step(double speed, double limit)
     steps_at_limit_ = std::max(steps_at_limit_, 0L) + 1;
   else
     steps_at_limit_ = std::min(steps_at_limit_, 0L) - 1;
+}
+
+std::array<double, WallMotion::numbers> WallMotion::state() const
+{
+  const auto ramp = ramp_.state();
+  return {static_cast<double>(mode_),
+          velocity_,
+          gain_,
+          memory_.even_speed,
+          speed_limit_,
+          static_cast<double>(patience_),
+          static_cast<double>(steps_at_limit_),
+          ramp[0],
+          ramp[1],
+          ramp[2],
+          ramp[3]};
+}
+
+void WallMotion::restore(const std::array<double, numbers>& state)
+{
+  mode_ = static_cast<Mode>(static_cast<int>(state[0]));
+  velocity_ = state[1];
+  gain_ = state[2];
+  memory_.even_speed = state[3];
+  speed_limit_ = state[4];
+  patience_ = static_cast<long>(state[5]);
+  steps_at_limit_ = static_cast<long>(state[6]);
+  ramp_.restore({state[7], state[8], state[9], state[10]});
 }
 
 }  // namespace encased_column

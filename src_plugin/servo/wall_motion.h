@@ -1,15 +1,17 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "core/linear_ramp.h"
 #include "servo/servo_law.h"
 
+#include <array>
 #include <cstdlib>
 #include <vector>
 
 namespace encased_column {
 
 /// How a rigid wall moves: it stands still, goes at a speed, or follows a stress.
-class WallDrive {
+class WallMotion {
  public:
   /// The keywords read() knows, for the tables of the walls.
   static const std::vector<Keyword>& keywords();
@@ -26,10 +28,16 @@ class WallDrive {
   /// True after more than `patience` steps in a row at the speed limit in one direction: grains
   /// that cannot bear the stress, or are not there, would be run over in silence.
   bool is_out_of_reach() const { return std::abs(steps_at_limit_) > patience_; }
-  double target(long step) const;  ///< stress [Pa] that is followed at `step`
+  /// Stress [Pa] that is followed at `step`.
+  double target(long step) const { return ramp_.at(step); }
   /// Steps after `step` until the target stands still.
-  long ramp_left(long step) const;
+  long ramp_left(long step) const { return follows_stress() ? ramp_.steps_left(step) : 0L; }
   long patience() const { return patience_; }
+
+  /// All there is to know of it, for a restart file.
+  static constexpr int numbers = 7 + LinearRamp::numbers;
+  std::array<double, numbers> state() const;
+  void restore(const std::array<double, numbers>& state);
 
  private:
   enum class Mode { hold, velocity, servo };
@@ -37,8 +45,7 @@ class WallDrive {
 
   Mode mode_ = Mode::hold;
   double velocity_ = 0.0;
-  double target_ = 0.0, ramp_from_ = 0.0;
-  long ramp_start_ = 0, ramp_steps_ = 0;
+  LinearRamp ramp_{0.0, LinearRamp::Division::of_the_steps_gone};  ///< of the stress [Pa]
   double gain_ = 0.8;
   ServoMemory memory_;
   double speed_limit_ = 0.0;  ///< 0: the wall's usual limit
