@@ -115,7 +115,7 @@ void CaseRunner::end(const CaseProcess& process, int code)
   const CaseFolder& folder = process.folder();
   const bool stopped = code == 0 && folder.was_stopped();
   if (std::count(failed_.begin(), failed_.end(), folder.id())) return;
-  if (signals_.count() && (code != 0 || stopped)) return;
+  if (signals_.count() && (code >= 128 || stopped)) return;
   const std::string log = shown(folder.path() / "log.liggghts");
   if (stopped) return fail(folder, "ended by a signal that did not come from here, see " + log);
   if (code != 0)

@@ -13,6 +13,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 namespace encased_column {
 
 const KeywordTable FixOutputRestart::keywords{
@@ -82,10 +84,11 @@ void FixOutputRestart::plan()
   next_reneighbor = (update->ntimestep / nevery + 1) * nevery;
 }
 
-// The first file is that of the state before the first step.
+// The first file is that of the state before the first step; but a run without any step behind it
+// is better begun again, which is exact.
 void FixOutputRestart::setup(int)
 {
-  if (written_step_ < 0) write();
+  if (written_step_ < 0 && update->ntimestep > 0) write();
 }
 
 // A run that goes on from the file sorts its grains and builds its lists at this step. So does the
@@ -110,13 +113,12 @@ void FixOutputRestart::post_run()
   if (max_over_ranks(stopped, world) > 0.0 && is_old()) write();
 }
 
-// On one rank going on from the last file ends, bit by bit, where this run would have: that is worth
-// the steps since then, unless they are many. On several there is nothing to keep.
+// Going on from a file of the plan ends where this run would have, on one rank bit by bit: that is
+// worth the steps since then, unless they are many.
 bool FixOutputRestart::is_old() const
 {
   constexpr LAMMPS_NS::bigint steps_to_spare = 5000;
-  return comm->nprocs > 1 ? written_step_ != update->ntimestep
-                          : update->ntimestep - written_step_ > steps_to_spare;
+  return update->ntimestep - std::max<LAMMPS_NS::bigint>(written_step_, 0) > steps_to_spare;
 }
 
 void FixOutputRestart::write()

@@ -66,6 +66,10 @@ class Log {
       std::istringstream words(line);
       std::string command, other;
       words >> command >> other;
+      if (command == "print" && other == "\"variable") {  // into a file that is included
+        command = "variable";
+        words >> other;
+      }
       if (command == "require" || command == "print") continue;
       if (command != "variable" || uses(other, seen)) return true;
     }
