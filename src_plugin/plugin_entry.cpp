@@ -1,6 +1,7 @@
 #include "plugin_entry.h"
 
 #include "dynamics/fix_gravity_of_motion.h"
+#include "host/output_files.h"
 #include "shell/fix_wall_of_sleeves.h"
 #include "style_table.h"
 
@@ -65,6 +66,7 @@ void make_box(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 {
   static const char* const names[] = {"create_box", "read_data", "read_restart"};
   register_fixes(lmp);
+  forget_files_of_commands();
   host_box_commands.at(names[which])(lmp, narg, arg);
 }
 

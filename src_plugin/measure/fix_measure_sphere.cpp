@@ -1,7 +1,6 @@
 #include "measure/fix_measure_sphere.h"
 
-#include "core/input_error.h"
-#include "output/output_places.h"
+#include "host/box_of_run.h"
 #include "servo/find_platens.h"
 
 #include <numeric>
@@ -23,6 +22,7 @@ const KeywordTable FixMeasureSphere::keywords{
 
 FixMeasureSphere::FixMeasureSphere(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
+      files_(lmp, *this),
       file_("", {}),
       clock_(lmp)
 {
@@ -32,13 +32,11 @@ FixMeasureSphere::FixMeasureSphere(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     row_every_ = options.integer("every", 1, 1000);
     frame_every_ = options.integer("frames", 1, row_every_);
     nevery = static_cast<int>(std::gcd(row_every_, frame_every_));
-    const std::string file = options.word("file", "spheres.csv");
-    require_writable(lmp, "file", file, file);
-    file_ = CsvSeries(file, columns());
+    file_ = CsvSeries(files_.file(options, "file", "spheres.csv"), columns());
     if (options.has("frames") && !options.has("folder"))
       throw InputError(
           "'frames' goes with 'folder', found it alone, write for example 'folder spheres'");
-    if (options.has("folder")) series_ = series_of(lmp, options, "spheres");
+    if (options.has("folder")) series_ = files_.series(options, "spheres");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -97,9 +95,9 @@ int FixMeasureSphere::setmask()
 
 void FixMeasureSphere::init()
 {
-  if (stack_ == 0) return;
   try {
-    find_platens(lmp, platen_ids_, platens_);
+    if (stack_ > 0) find_platens(lmp, platen_ids_, platens_);
+    files_.check_host();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -125,6 +123,7 @@ void FixMeasureSphere::pre_force(int)
 void FixMeasureSphere::clear_sums()
 {
   place_stack();
+  box_ = box_of(lmp);
   contacts_of_.assign(atom->nlocal, 0);
   sums_.assign(spheres_.size(), SphereSums());
   largest_force_.assign(spheres_.size(), 0.0);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "core/periodic_box.h"
+#include "files/csv_series.h"
+#include "files/vtk_series.h"
 #include "host/blind_to_velocity.h"
 #include "host/contact_probe.h"
+#include "host/output_files.h"
 #include "host/run_clock.h"
 #include "measure/measuring_sphere.h"
-#include "output/csv_series.h"
-#include "output/vtk_series.h"
 
 #include <memory>
 #include <string>
@@ -46,11 +48,13 @@ class FixMeasureSphere : public LAMMPS_NS::Fix,
   void read_spheres(const Options& options);
   void place_stack();
   void clear_sums();
+  template <typename Visit>
+  void for_images(const MeasuringSphere& sphere, const Vec3& x, double reach,
+                  const Visit& visit) const;
   void take_sample();
   void warn_of_few_grains();
   void write_row();
   void write_frame();
-  void stop(const std::string& path) const;
 
   std::vector<MeasuringSphere> spheres_;  ///< those that stand still, then the stack
   int stack_ = 0;                         ///< number of those in the stack
@@ -59,11 +63,13 @@ class FixMeasureSphere : public LAMMPS_NS::Fix,
 
   long row_every_ = 1, frame_every_ = 1;  ///< steps
   bool setting_up_ = false, warned_ = false, sampled_ = false;
+  PeriodicBox box_;  ///< of this sample
   std::vector<int> contacts_of_;
   std::vector<SphereSums> sums_;       ///< of this rank, then of all
   std::vector<double> largest_force_;  ///< [N]
   std::vector<std::vector<double>> rows_;
 
+  OutputFiles files_;
   CsvSeries file_;
   RunClock clock_;
   std::unique_ptr<VtkSeries> series_;  ///< if VTK files are wanted

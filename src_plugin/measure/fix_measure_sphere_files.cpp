@@ -1,9 +1,8 @@
 // Where the numbers of the spheres go: CSV, VTK, restart files.
 #include "measure/fix_measure_sphere.h"
 
+#include "files/vtk_spheres_writer.h"
 #include "host/restart_block.h"
-#include "host/stop_run.h"
-#include "output/vtk_spheres_writer.h"
 
 namespace encased_column {
 
@@ -46,7 +45,7 @@ void FixMeasureSphere::write_row()
   if (comm->me != 0) return;
   std::vector<double> block;
   for (const std::vector<double>& row : rows_) block.insert(block.end(), row.begin(), row.end());
-  if (!file_.append(block)) stop(file_.path());
+  if (!file_.append(block)) files_.stop(file_.path());
 }
 
 void FixMeasureSphere::write_frame()
@@ -54,13 +53,8 @@ void FixMeasureSphere::write_frame()
   if (comm->me != 0 || !series_) return;
   const long step = static_cast<long>(update->ntimestep);
   const std::string path = series_->path_of_step(step);
-  if (!write_spheres(path, columns(), rows_) || !series_->list(clock_.now(), step)) stop(path);
-}
-
-void FixMeasureSphere::stop(const std::string& path) const
-{
-  stop_from_one_rank(lmp, "fix measure/sphere cannot write '" + path +
-                              "', free some space or mend the folder's rights");
+  if (!write_spheres(path, columns(), rows_) || !series_->list(clock_.now(), step))
+    files_.stop(path);
 }
 
 double FixMeasureSphere::compute_array(int sphere, int column)
@@ -85,9 +79,9 @@ void FixMeasureSphere::restart(char* buffer)
   for (std::vector<double>& row : rows_) block.take(row.data(), row.size());
   sampled_ = true;
   if (comm->me != 0) return;
-  if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop(file_.path());
+  if (!file_.go_back_to(static_cast<double>(update->ntimestep))) files_.stop(file_.path());
   if (series_ && !series_->restore(block.text()))
-    stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+    files_.stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
 }
 
 }  // namespace encased_column

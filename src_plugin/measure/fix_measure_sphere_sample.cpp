@@ -25,6 +25,14 @@ std::vector<double> six(const Mat3& t)
 
 }  // namespace
 
+template <typename Visit>
+void FixMeasureSphere::for_images(const MeasuringSphere& sphere, const Vec3& x, double reach,
+                                  const Visit& visit) const
+{
+  const Vec3 around = Vec3::Constant(reach);
+  box_.for_images(x, sphere.center - around, sphere.center + around, visit);
+}
+
 void FixMeasureSphere::add_contact(const Contact& contact)
 {
   const bool pair_here = contact.j >= 0 && contact.j < atom->nlocal;
@@ -36,19 +44,21 @@ void FixMeasureSphere::add_contact(const Contact& contact)
     const MeasuringSphere& sphere = spheres_[n];
     // Neither grain nor their contact lies farther from the first one than the other.
     const double reach = sphere.radius + contact.length;
-    if ((x - sphere.center).squaredNorm() > reach * reach) continue;
-    const Vec3 point = x + contact.arm * contact.normal;
-    const double force = contact.force.norm();
-    const double volume =
-        contact.j < 0 ? sphere_cap_volume(radius, contact.length)
-                      : sphere_overlap_volume(radius, atom->radius[contact.j], contact.length);
-    add_contact_end(sums_[n], sphere, x, contact.force, contact.arm * contact.normal);
-    if (pair_here)
-      add_contact_end(sums_[n], sphere, as_vec3(atom->x[contact.j]), -contact.force,
-                      -(contact.length - contact.arm) * contact.normal);
-    encased_column::add_contact(sums_[n], sphere, point, contact.normal, volume, force,
-                                contact.sliding, contact.share);
-    if (sphere.holds(point)) largest_force_[n] = std::max(largest_force_[n], force);
+    for_images(sphere, x, reach, [&](const Vec3& shift) {
+      if ((x + shift - sphere.center).squaredNorm() > reach * reach) return;
+      const Vec3 point = x + shift + contact.arm * contact.normal;
+      const double force = contact.force.norm();
+      const double volume =
+          contact.j < 0 ? sphere_cap_volume(radius, contact.length)
+                        : sphere_overlap_volume(radius, atom->radius[contact.j], contact.length);
+      add_contact_end(sums_[n], sphere, x + shift, contact.force, contact.arm * contact.normal);
+      if (pair_here)
+        add_contact_end(sums_[n], sphere, as_vec3(atom->x[contact.j]) + shift, -contact.force,
+                        -(contact.length - contact.arm) * contact.normal);
+      encased_column::add_contact(sums_[n], sphere, point, contact.normal, volume, force,
+                                  contact.sliding, contact.share);
+      if (sphere.holds(point)) largest_force_[n] = std::max(largest_force_[n], force);
+    });
   }
 }
 
@@ -57,8 +67,12 @@ void FixMeasureSphere::take_sample()
   static_assert(std::is_trivially_copyable_v<SphereSums>);
   sampled_ = true;
   for (std::size_t n = 0; n < spheres_.size(); ++n) {
-    for (int i = 0; i < atom->nlocal; ++i)
-      add_grain(sums_[n], spheres_[n], as_vec3(atom->x[i]), atom->radius[i], contacts_of_[i]);
+    for (int i = 0; i < atom->nlocal; ++i) {
+      const Vec3 x = as_vec3(atom->x[i]);
+      for_images(spheres_[n], x, spheres_[n].radius + atom->radius[i], [&](const Vec3& shift) {
+        add_grain(sums_[n], spheres_[n], x + shift, atom->radius[i], contacts_of_[i]);
+      });
+    }
     largest_force_[n] = max_over_ranks(largest_force_[n], world);
   }
   sum_over_ranks(&sums_.front().solid,

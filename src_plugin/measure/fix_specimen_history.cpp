@@ -4,8 +4,6 @@
 #include "dynamics/fix_motion.h"
 #include "host/find_fix.h"
 #include "host/rank_sums.h"
-#include "host/stop_run.h"
-#include "output/output_places.h"
 #include "servo/find_platens.h"
 
 #include <cstring>
@@ -23,6 +21,7 @@ const KeywordTable FixSpecimenHistory::keywords{
 
 FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
+      files_(lmp, *this),
       file_("", {})
 {
   try {
@@ -31,9 +30,7 @@ FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** 
     side_id_ = options.word("side");
     motion_id_ = options.word("motion");
     nevery = static_cast<int>(options.integer("every", 1, 200));
-    const std::string file = options.word("file", "history.csv");
-    require_writable(lmp, "file", file, file);
-    file_ = CsvSeries(file, columns());
+    file_ = CsvSeries(files_.file(options, "file", "history.csv"), columns());
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -61,6 +58,7 @@ void FixSpecimenHistory::init()
     bottom_ = platens[1];
     side_ = find_fix<SpecimenSide>(lmp, "side", side_id_, "cylinder or sleeve");
     motion_ = find_fix<FixMotion>(lmp, "motion", motion_id_, "fix motion");
+    files_.check_host();
     if (nevery % motion_->every() != 0)
       throw InputError("'every' must be a multiple of the 'every' of fix " + motion_id_ +
                        ", found " + std::to_string(nevery) + " and " +
@@ -107,12 +105,7 @@ void FixSpecimenHistory::end_of_step()
 
 void FixSpecimenHistory::write_row()
 {
-  if (comm->me == 0 && !file_.append(row_)) stop_writing();
-}
-
-void FixSpecimenHistory::stop_writing() const
-{
-  stop_from_one_rank(lmp, ("cannot write '" + file_.path() + "', free some space"));
+  if (comm->me == 0 && !file_.append(row_)) files_.stop(file_.path());
 }
 
 int FixSpecimenHistory::modify_param(int narg, char** arg)
@@ -168,7 +161,7 @@ void FixSpecimenHistory::restart(char* buffer)
   std::memcpy(row_.data(), buffer + sizeof(Saved), row_.size() * sizeof(double));
   if (comm->me != 0) return;
   contact_losses = saved.losses;
-  if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop_writing();
+  if (!file_.go_back_to(static_cast<double>(update->ntimestep))) files_.stop(file_.path());
 }
 
 }  // namespace encased_column

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "files/csv_series.h"
 #include "host/contact_probe.h"
+#include "host/output_files.h"
 #include "measure/energy_account.h"
 #include "measure/specimen_state.h"
-#include "output/csv_series.h"
 
 #include <string>
 #include <vector>
@@ -60,7 +61,6 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   void take_sample();
   void take_reference();
   void write_row();
-  void stop_writing() const;
 
   std::string platen_ids_[2], side_id_, motion_id_;
   FixServoPlaten* top_ = nullptr;
@@ -78,6 +78,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   SpecimenState reference_, now_;
   EnergyAccount energy_start_, energy_;
   std::vector<double> row_;
+  OutputFiles files_;
   CsvSeries file_;
 };
 

@@ -2,7 +2,6 @@
 
 #include "core/input_error.h"
 #include "core/read_number.h"
-#include "output/output_places.h"
 
 #include <numeric>
 
@@ -41,6 +40,7 @@ const KeywordTable FixOutputContacts::keywords{
 
 FixOutputContacts::FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
+      files_(lmp, *this),
       clock_(lmp),
       file_("", {})
 {
@@ -51,10 +51,8 @@ FixOutputContacts::FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** ar
     nevery = static_cast<int>(std::gcd(frame_every_, row_every_));
     threshold_ = options.not_negative("threshold", 0.0);
     read_levels(options);
-    const std::string file = options.word("file", "contacts.csv");
-    require_writable(lmp, "file", file, file);
-    file_ = CsvSeries(file, columns_of(forces_.levels()));
-    series_ = series_of(lmp, options, "contacts");
+    file_ = CsvSeries(files_.file(options, "file", "contacts.csv"), columns_of(forces_.levels()));
+    series_ = files_.series(options, "contacts");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -93,6 +91,15 @@ bool FixOutputContacts::wants_contacts(LAMMPS_NS::bigint step) const
 bool FixOutputContacts::wants_frame() const
 {
   return first_forces_ || update->ntimestep % frame_every_ == 0;
+}
+
+void FixOutputContacts::init()
+{
+  try {
+    files_.check_host();
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 void FixOutputContacts::setup_pre_force(int)

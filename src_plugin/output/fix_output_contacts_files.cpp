@@ -4,7 +4,6 @@
 #include "host/gather.h"
 #include "host/rank_sums.h"
 #include "host/restart_block.h"
-#include "host/stop_run.h"
 
 #include <algorithm>
 #include <tuple>
@@ -20,7 +19,7 @@ void FixOutputContacts::write_row()
   row_.insert(row_.end(), {forces_.sliding_fraction(), forces_.mean(), forces_.largest()});
   for (std::size_t n = 0; n < forces_.levels().size(); ++n)
     row_.insert(row_.end(), {forces_.above(n), forces_.share_above(n)});
-  if (comm->me == 0 && !file_.append(row_)) stop(file_.path());
+  if (comm->me == 0 && !file_.append(row_)) files_.stop(file_.path());
 }
 
 /// Sorted, so that the file does not depend on the number of ranks; walls of a grain come in the
@@ -35,13 +34,7 @@ void FixOutputContacts::write_frame()
       [&](const ContactRecord& a, const ContactRecord& b) { return grains(a) < grains(b); });
   const long step = static_cast<long>(update->ntimestep);
   const std::string path = series_->path_of_step(step);
-  if (!write_contacts(path, contacts) || !series_->list(clock_.now(), step)) stop(path);
-}
-
-void FixOutputContacts::stop(const std::string& path) const
-{
-  stop_from_one_rank(lmp, "fix output/contacts cannot write '" + path +
-                              "', free some space or mend the folder's rights");
+  if (!write_contacts(path, contacts) || !series_->list(clock_.now(), step)) files_.stop(path);
 }
 
 /// The time, the number of columns and the last row, then the series as text.
@@ -62,9 +55,9 @@ void FixOutputContacts::restart(char* buffer)
   if (row.size() == row_.size()) row_ = row;
   written_ = true;
   if (comm->me != 0) return;
-  if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop(file_.path());
+  if (!file_.go_back_to(static_cast<double>(update->ntimestep))) files_.stop(file_.path());
   if (!series_->restore(block.text()))
-    stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+    files_.stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
 }
 
 }  // namespace encased_column

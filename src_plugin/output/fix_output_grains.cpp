@@ -1,10 +1,9 @@
 #include "output/fix_output_grains.h"
 
 #include "core/input_error.h"
+#include "host/box_of_run.h"
 #include "host/gather.h"
-#include "host/stop_run.h"
 #include "measure/local_strain.h"
-#include "output/output_places.h"
 
 #include "memory.h"
 
@@ -33,6 +32,7 @@ const KeywordTable FixOutputGrains::keywords{
 
 FixOutputGrains::FixOutputGrains(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
+      files_(lmp, *this),
       clock_(lmp)
 {
   try {
@@ -68,7 +68,7 @@ void FixOutputGrains::read_keywords(int narg, char** arg)
   options_.rotation = options.choice("rotation", {"yes", "no"}, "yes") == "yes";
   strain_range_ = options.has("strain_range") ? options.not_negative("strain_range", 0.0) : -1.0;
   options_.strain = strain_range_ != 0.0;
-  series_ = series_of(lmp, options, "grains");
+  series_ = files_.series(options, "grains");
 }
 
 int FixOutputGrains::setmask()
@@ -80,6 +80,16 @@ int FixOutputGrains::setmask()
 void FixOutputGrains::init()
 {
   asked_step_ = -1;  // forces are computed again for the same step
+  try {
+    for (int n = 0; n < modify->nfix; ++n)
+      if (options_.strain && modify->fix[n]->box_change_size && box_of(lmp).is_periodic())
+        throw InputError("'strain_range' must be 0 in a periodic box whose size changes, found '" +
+                         std::string("fix ") + modify->fix[n]->id + "' of style " +
+                         modify->fix[n]->style + ", write 'strain_range 0'");
+    files_.check_host();
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 void FixOutputGrains::setup(int)
@@ -183,7 +193,7 @@ void FixOutputGrains::find_strains(std::vector<GrainRecord>& grains) const
   }
   const double range =
       strain_range_ > 0.0 ? strain_range_ : usual_range * mean_diameter_by_volume(moved);
-  const std::vector<double> strain = local_deviatoric_strain(moved, range);
+  const std::vector<double> strain = local_deviatoric_strain(moved, range, box_of(lmp));
   for (std::size_t n = 0; n < grains.size(); ++n) grains[n].deviatoric_strain = strain[n];
 }
 
@@ -195,13 +205,8 @@ void FixOutputGrains::write()
   if (options_.strain) find_strains(grains);
   const long step = static_cast<long>(update->ntimestep);
   const std::string path = series_->path_of_step(step);
-  if (!write_grains(path, grains, options_) || !series_->list(clock_.now(), step)) stop(path);
-}
-
-void FixOutputGrains::stop(const std::string& path) const
-{
-  stop_from_one_rank(lmp, "fix output/grains cannot write '" + path +
-                              "', free some space or mend the folder's rights");
+  if (!write_grains(path, grains, options_) || !series_->list(clock_.now(), step))
+    files_.stop(path);
 }
 
 }  // namespace encased_column

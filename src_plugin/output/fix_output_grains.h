@@ -1,10 +1,11 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "files/vtk_grains_writer.h"
+#include "files/vtk_series.h"
 #include "host/contact_probe.h"
+#include "host/output_files.h"
 #include "host/run_clock.h"
-#include "output/vtk_grains_writer.h"
-#include "output/vtk_series.h"
 
 #include <memory>
 #include <string>
@@ -52,11 +53,11 @@ class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe, public Serie
   GrainRecord record_of(int i) const;
   std::vector<GrainRecord> grains_of_all_ranks() const;
   void find_strains(std::vector<GrainRecord>& grains) const;
-  void stop(const std::string& path) const;
   void write();
 
   GrainFileOptions options_;
   double strain_range_ = 0.0;  ///< of neighbours [m], smaller than zero: by the grains' diameter
+  OutputFiles files_;
   RunClock clock_;
   std::unique_ptr<VtkSeries> series_;  ///< used on the first rank only
 

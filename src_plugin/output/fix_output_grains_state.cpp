@@ -66,7 +66,7 @@ void FixOutputGrains::restart(char* buffer)
   clock_.restart(block.take());
   written_ = *block.text() != '\0';
   if (comm->me == 0 && !series_->restore(block.text()))
-    stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+    files_.stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
 }
 
 double FixOutputGrains::memory_usage()

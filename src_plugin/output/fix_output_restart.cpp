@@ -1,10 +1,8 @@
 #include "output/fix_output_restart.h"
 
 #include "core/input_error.h"
+#include "files/atomic_file.h"
 #include "host/rank_sums.h"
-#include "host/stop_run.h"
-#include "output/output_places.h"
-#include "output/whole_file.h"
 
 #include "signal_handling.h"
 #include "write_restart.h"
@@ -34,13 +32,13 @@ bool is_on_disk(const std::string& path)
 }  // namespace
 
 FixOutputRestart::FixOutputRestart(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : LAMMPS_NS::Fix(lmp, narg, arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg),
+      files_(lmp, *this)
 {
   try {
     const Options options = keywords.read(narg, arg);
     nevery = static_cast<int>(options.integer("every", 1));
-    file_ = options.word("file");
-    require_writable(lmp, "file", file_, unfinished(file_));
+    file_ = files_.file(options, "file", "", unfinished(""));
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -57,6 +55,7 @@ void FixOutputRestart::init()
 {
   try {
     check_order();
+    files_.check_host();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -114,9 +113,7 @@ void FixOutputRestart::write()
   std::string part = unfinished(file_);
   LAMMPS_NS::WriteRestart(lmp).write(part.data());
   written_step_ = update->ntimestep;
-  if (comm->me == 0 && !(is_on_disk(part) && finish_file(file_)))
-    stop_from_one_rank(lmp, ("fix output/restart cannot write '" + file_ +
-                             "', free some space or mend the folder's rights"));
+  if (comm->me == 0 && !(is_on_disk(part) && finish_file(file_))) files_.stop(file_);
 }
 
 }  // namespace encased_column

@@ -1,6 +1,7 @@
 #include "servo/fix_servo_cylinder.h"
 
 #include "core/read_number.h"
+#include "host/box_of_run.h"
 #include "host/find_fix.h"
 #include "servo/fix_servo_platen.h"
 
@@ -34,6 +35,7 @@ FixServoCylinder::FixServoCylinder(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 
 void FixServoCylinder::find_partners()
 {
+  require_open_box(lmp, "servo/cylinder", "xy");
   for (int n = 0; n < 2; ++n)
     platens_[n] = find_fix<FixServoPlaten>(lmp, "platens", platen_ids_[n], "fix servo/platen");
 }

@@ -1,5 +1,6 @@
 #include "servo/fix_servo_platen.h"
 
+#include "host/box_of_run.h"
 #include "host/find_fix.h"
 
 namespace encased_column {
@@ -34,6 +35,7 @@ FixServoPlaten::FixServoPlaten(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 
 void FixServoPlaten::find_partners()
 {
+  require_open_box(lmp, "servo/platen", "z");
   side_ = nullptr;
   if (!side_id_.empty())
     side_ = find_fix<SpecimenSide>(lmp, "side", side_id_, "cylinder or sleeve");

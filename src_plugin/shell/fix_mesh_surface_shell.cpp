@@ -1,5 +1,6 @@
 #include "shell/fix_mesh_surface_shell.h"
 
+#include "host/box_of_run.h"
 #include "host/find_fix.h"
 #include "servo/find_platens.h"
 
@@ -81,6 +82,7 @@ void FixMeshSurfaceShell::init()
   auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
+    require_open_box(lmp, "mesh/surface/shell", "xy");
     desk_.open(rolling_);
     find_platens(lmp, platen_ids_, platens_);
   } catch (const InputError& problem) {

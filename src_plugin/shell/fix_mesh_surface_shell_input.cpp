@@ -1,9 +1,9 @@
 // What the deck says of the sleeve.
 #include "shell/fix_mesh_surface_shell.h"
 
+#include "files/mesh_file.h"
 #include "shell/cylinder_mesh.h"
 #include "shell/enclosed_volume.h"
-#include "shell/mesh_file.h"
 
 #include <algorithm>
 
@@ -58,7 +58,7 @@ void FixMeshSurfaceShell::read_mesh(const Options& options)
         "'edge' goes with 'cylinder', found it with 'file', whose facets are given, leave it out");
   SurfaceMesh mesh;
   if (options.has("file")) {
-    mesh = read_mesh_file(options.word("file"));
+    mesh = welded(read_mesh_file(options.word("file")));
   } else {
     const Vec3 size = options.vector("cylinder");
     mesh = cylinder_mesh(TubeShape{size(0), size(1), size(2) - size(1), options.positive("edge")});

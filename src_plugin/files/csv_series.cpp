@@ -1,6 +1,6 @@
-#include "output/csv_series.h"
+#include "files/csv_series.h"
 
-#include "output/whole_file.h"
+#include "files/atomic_file.h"
 
 #include <cstdlib>
 #include <fstream>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "output/pvd_collection.h"
+#include "files/pvd_collection.h"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "output/pvd_collection.h"
+#include "files/pvd_collection.h"
 
 #include <gtest/gtest.h>
 

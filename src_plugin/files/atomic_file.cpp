@@ -1,4 +1,4 @@
-#include "output/whole_file.h"
+#include "files/atomic_file.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,6 +1,6 @@
-#include "output/vtk_file.h"
+#include "files/vtk_file.h"
 
-#include "output/whole_file.h"
+#include "files/atomic_file.h"
 
 #include <vtkErrorCode.h>
 #include <vtkObject.h>

@@ -1,6 +1,6 @@
-#include "output/vtk_series.h"
+#include "files/vtk_series.h"
 
-#include "output/whole_file.h"
+#include "files/atomic_file.h"
 
 #include <cstdio>
 #include <filesystem>

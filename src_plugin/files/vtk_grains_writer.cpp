@@ -1,7 +1,7 @@
-#include "output/vtk_grains_writer.h"
+#include "files/vtk_grains_writer.h"
 
 #include "core/vec3.h"
-#include "output/vtk_file.h"
+#include "files/vtk_file.h"
 
 #include <vtkCellArray.h>
 #include <vtkIntArray.h>

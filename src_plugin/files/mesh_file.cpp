@@ -1,4 +1,4 @@
-#include "shell/mesh_file.h"
+#include "files/mesh_file.h"
 
 #include "core/input_error.h"
 
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkPolyData> triangles_of(const std::string& path)
 
 }  // namespace
 
-SurfaceMesh read_mesh_file(const std::string& path)
+std::vector<std::array<Vec3, 3>> read_mesh_file(const std::string& path)
 {
   const std::string kind = std::filesystem::path(path).extension();
   if (kind != ".stl" && kind != ".vtk" && kind != ".vtp")
@@ -57,11 +57,7 @@ SurfaceMesh read_mesh_file(const std::string& path)
   if (triangle.empty())
     throw InputError("'file' must hold triangles, found none in '" + path +
                      "', export the surface of the sleeve as triangles");
-  double bounds[6];
-  data->GetBounds(bounds);
-  double extent = 0.0;
-  for (int a = 0; a < 3; ++a) extent = std::max(extent, bounds[2 * a + 1] - bounds[2 * a]);
-  return welded(triangle, 1e-6 * extent);
+  return triangle;
 }
 
 }  // namespace encased_column
