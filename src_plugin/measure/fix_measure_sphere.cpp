@@ -1,6 +1,7 @@
 #include "measure/fix_measure_sphere.h"
 
 #include "host/box_of_run.h"
+#include "host/say_understood.h"
 #include "servo/find_platens.h"
 
 #include <numeric>
@@ -30,13 +31,18 @@ FixMeasureSphere::FixMeasureSphere(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     const Options options = keywords.read(narg, arg);
     read_spheres(options);
     row_every_ = options.integer("every", 1, 1000);
-    frame_every_ = options.integer("frames", 1, row_every_);
+    frame_every_ = options.has("frames") ? options.integer("frames", 1) : row_every_;
     nevery = static_cast<int>(std::gcd(row_every_, frame_every_));
     file_ = CsvSeries(files_.file(options, "file", "spheres.csv"), columns());
     if (options.has("frames") && !options.has("folder"))
       throw InputError(
           "'frames' goes with 'folder', found it alone, write for example 'folder spheres'");
-    if (options.has("folder")) series_ = files_.series(options, "spheres");
+    if (options.has("folder")) {
+      series_ = files_.series(options, "spheres");
+      options.assume("frames", std::to_string(frame_every_));
+    }
+    options.assume("axis", "0 0");
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

@@ -4,6 +4,7 @@
 #include "dynamics/fix_motion.h"
 #include "host/find_fix.h"
 #include "host/rank_sums.h"
+#include "host/say_understood.h"
 #include "servo/find_platens.h"
 
 #include <cstring>
@@ -31,6 +32,7 @@ FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** 
     motion_id_ = options.word("motion");
     nevery = static_cast<int>(options.integer("every", 1, 200));
     file_ = CsvSeries(files_.file(options, "file", "history.csv"), columns());
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -117,6 +119,7 @@ int FixSpecimenHistory::modify_param(int narg, char** arg)
                        joined({arg, arg + narg}) + "', write 'fix_modify " + id + " reference'");
     reference_wanted_ = true;
     file_.start_anew();
+    say_understood(lmp, *this, options, "fix_modify");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

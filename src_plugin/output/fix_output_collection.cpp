@@ -3,6 +3,7 @@
 #include "core/input_error.h"
 #include "files/atomic_file.h"
 #include "host/find_fix.h"
+#include "host/say_understood.h"
 
 #include <filesystem>
 
@@ -28,6 +29,7 @@ FixOutputCollection::FixOutputCollection(LAMMPS_NS::LAMMPS* lmp, int narg, char*
                        "', write for example 'all.pvd'");
     find_parts();
     file_ = files_.file(options, "file", "all.pvd");
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

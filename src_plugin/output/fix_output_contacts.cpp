@@ -2,6 +2,7 @@
 
 #include "core/input_error.h"
 #include "core/read_number.h"
+#include "host/say_understood.h"
 
 #include <numeric>
 
@@ -53,6 +54,7 @@ FixOutputContacts::FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** ar
     read_levels(options);
     file_ = CsvSeries(files_.file(options, "file", "contacts.csv"), columns_of(forces_.levels()));
     series_ = files_.series(options, "contacts");
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -75,6 +77,9 @@ void FixOutputContacts::read_levels(const Options& options)
                          ", write a force in N");
     }
   forces_ = ContactForces(levels.empty() ? usual_levels : levels);
+  std::vector<std::string> words;
+  for (const double level : forces_.levels()) words.push_back(in_words(level));
+  options.assume("level", joined(words));
 }
 
 int FixOutputContacts::setmask()

@@ -3,6 +3,7 @@
 #include "core/input_error.h"
 #include "host/box_of_run.h"
 #include "host/gather.h"
+#include "host/say_understood.h"
 #include "measure/local_strain.h"
 
 #include "memory.h"
@@ -69,6 +70,9 @@ void FixOutputGrains::read_keywords(int narg, char** arg)
   strain_range_ = options.has("strain_range") ? options.not_negative("strain_range", 0.0) : -1.0;
   options_.strain = strain_range_ != 0.0;
   series_ = files_.series(options, "grains");
+  if (strain_range_ < 0.0)
+    options.assume("strain_range", in_words(usual_range) + " mean diameters");
+  say_understood(lmp, *this, options);
 }
 
 int FixOutputGrains::setmask()

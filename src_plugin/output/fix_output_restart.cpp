@@ -3,6 +3,7 @@
 #include "core/input_error.h"
 #include "files/atomic_file.h"
 #include "host/rank_sums.h"
+#include "host/say_understood.h"
 
 #include "signal_handling.h"
 #include "write_restart.h"
@@ -39,6 +40,7 @@ FixOutputRestart::FixOutputRestart(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     const Options options = keywords.read(narg, arg);
     nevery = static_cast<int>(options.integer("every", 1));
     file_ = files_.file(options, "file", "", unfinished(""));
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

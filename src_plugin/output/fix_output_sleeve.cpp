@@ -3,6 +3,7 @@
 #include "core/input_error.h"
 #include "host/find_fix.h"
 #include "host/restart_block.h"
+#include "host/say_understood.h"
 #include "output/vtk_sleeve_writer.h"
 #include "shell/fix_mesh_surface_shell.h"
 
@@ -42,6 +43,7 @@ FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
                          "axial_force_top_end [N]", "axial_force_bottom_end [N]",
                          "friction_force [N]", "enclosed_volume [m^3]", "energy [J]"});
     series_ = files_.series(options, "sleeve");
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

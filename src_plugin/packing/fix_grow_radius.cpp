@@ -2,6 +2,7 @@
 
 #include "core/input_error.h"
 #include "host/rank_sums.h"
+#include "host/say_understood.h"
 #include "packing/growth_law.h"
 
 #include <cstring>
@@ -24,6 +25,7 @@ FixGrowRadius::FixGrowRadius(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     start_ = options.between("from", 0.01, 1.0);
     stages_ = options.integer("stages", 1, 100);
     steps_per_stage_ = options.integer("relax", 1, 50);
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

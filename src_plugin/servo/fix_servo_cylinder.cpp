@@ -27,6 +27,7 @@ FixServoCylinder::FixServoCylinder(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
       cylinder_.x = read_number("axis", axis[0]);
       cylinder_.y = read_number("axis", axis[1]);
     }
+    options.assume("axis", "0 0");
     read_wall(options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());

@@ -26,7 +26,7 @@ FixServoPlaten::FixServoPlaten(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
                        std::string(options.has("side") ? "both" : "neither") +
                        ", write 'side ID' or 'area 0.00785'");
     if (options.has("area")) area_ = options.positive("area");
-    side_id_ = options.word("side", "");
+    if (options.has("side")) side_id_ = options.word("side");
     read_wall(options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());

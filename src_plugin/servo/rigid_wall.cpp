@@ -1,6 +1,7 @@
 #include "servo/rigid_wall.h"
 
 #include "host/rank_sums.h"
+#include "host/say_understood.h"
 
 #include "pair_gran.h"
 
@@ -34,6 +35,8 @@ void RigidWall::read_wall(const Options& options)
                        ", write a smaller one or make room in 'create_box'");
   }
   drive_.read(options, update->ntimestep, stress_now());
+  options.assume("type", std::to_string(wall_type_));
+  say_understood(lmp, *this, options, on_fix_line ? "fix" : "fix_modify");
 }
 
 double RigidWall::stress_now() const

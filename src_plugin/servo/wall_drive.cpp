@@ -46,8 +46,13 @@ void WallDrive::read(const Options& options, long step, double stress_now)
     target_ = options.not_negative("servo", 0.0);
     ramp_from_ = stress_now;
     ramp_start_ = step;
-    ramp_steps_ = options.integer("ramp", 1, 0);
+    ramp_steps_ = options.has("ramp") ? options.integer("ramp", 1) : 0;
   }
+  // What goes on from before.
+  if (mode_ == Mode::hold) options.assume("hold", "");
+  if (mode_ == Mode::velocity) options.assume("velocity", velocity_);
+  if (mode_ == Mode::servo) options.assume("servo", target_);
+  if (speed_limit_ > 0.0) options.assume("speed_limit", speed_limit_);
 }
 
 double WallDrive::target(long step) const
