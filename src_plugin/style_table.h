@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "host/host_types.h"
+#include "files/column.h"
+#include "host/creators.h"
 
 #include <string>
 #include <type_traits>
@@ -10,19 +11,26 @@
 
 namespace encased_column {
 
-using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
-using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
-
 /// How the host makes an object of a style, and the keywords it reads.
 struct Maker {
   std::variant<FixCreator, CommandCreator> create;
   const KeywordTable* keywords;
+  std::vector<TableText> (*tables)();  ///< that it writes; null where it writes none
 };
 
 /// One style of the plugin: the name a deck writes and what stands behind it.
 struct Style {
   std::string name;
   Maker maker;
+};
+
+template <typename T, typename = void>
+struct TablesOf {
+  static constexpr std::vector<TableText> (*all)() = nullptr;
+};
+template <typename T>
+struct TablesOf<T, std::void_t<decltype(T::tables())>> {
+  static constexpr std::vector<TableText> (*all)() = T::tables;
 };
 
 /// A fix is made and kept by the host; a command is made, run and gone.
@@ -33,11 +41,11 @@ Maker make()
     return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
               return new T(lmp, narg, arg);
             }),
-            &T::keywords};
+            &T::keywords, TablesOf<T>::all};
   } else {
     return {CommandCreator(
                 [](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) { T(lmp).command(narg, arg); }),
-            &T::keywords};
+            &T::keywords, TablesOf<T>::all};
   }
 }
 

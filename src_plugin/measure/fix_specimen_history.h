@@ -2,10 +2,9 @@
 
 #include "core/keyword_table.h"
 #include "files/csv_series.h"
-#include "host/contact_probe.h"
+#include "host/contact_counter.h"
 #include "host/output_files.h"
-#include "measure/energy_account.h"
-#include "measure/specimen_state.h"
+#include "measure/specimen_columns.h"
 
 #include <string>
 #include <vector>
@@ -20,6 +19,7 @@ class SpecimenSide;
 class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public ContactLossOwner {
  public:
   static const KeywordTable keywords;
+  static std::vector<TableText> tables();
 
   FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -30,7 +30,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   void pre_force(int) override;
   void end_of_step() override;
   int modify_param(int narg, char** arg) override;
-  double compute_vector(int n) override;
+  double compute_vector(int n) override { return row_.at(n); }
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
@@ -38,28 +38,11 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   void add_contact(const Contact& contact) override;
 
  private:
-  /// Sums over this rank's grains and contacts, then over the ranks.
-  struct Sums {
-    double grains, solid, shared, inertia, diameter, weight_height, mass;
-    double elastic, kinetic, friction, rolling, dashpots;
-    double core_solid, core_axial, core_radial;
-    double ends, without_contact, with_one_contact;
-  };
-
-  /// Sums of Love-Weber products over the grains in the core [J].
-  struct CoreStress {
-    double axial = 0.0, radial = 0.0;
-  };
-
-  static const std::vector<std::string>& columns();
-  void clear_sums();
-  bool is_in_core(int i) const;
-  void add_to_core(int i, const Vec3& lever, const Vec3& force);
-  SpecimenState state() const;
-  Sums sum_up();
-  void check_grains(const Sums& sums);
+  void start_sample();
+  SpecimenMoment now();
+  void add_grains();
+  void check_grains();
   void take_sample();
-  void take_reference();
   void write_row();
 
   std::string platen_ids_[2], side_id_, motion_id_;
@@ -71,12 +54,9 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   LAMMPS_NS::bigint most_grains_ = 0;  ///< in any sample of this run
   bool setting_up_ = false;
   bool reference_wanted_ = false;
-  std::vector<int> contacts_of_;
-  double shared_volume_ = 0.0, elastic_ = 0.0;
-  CoreStress core_;
-
-  SpecimenState reference_, now_;
-  EnergyAccount energy_start_, energy_;
+  ContactCounter contacts_of_;
+  SpecimenSums sums_;
+  SpecimenMoment before_;  ///< what strains, works and losses count from
   std::vector<double> row_;
   OutputFiles files_;
   CsvSeries file_;

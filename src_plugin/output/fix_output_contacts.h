@@ -7,7 +7,7 @@
 #include "host/contact_probe.h"
 #include "host/output_files.h"
 #include "host/run_clock.h"
-#include "measure/contact_force.h"
+#include "output/contact_columns.h"
 
 #include <memory>
 #include <string>
@@ -20,6 +20,7 @@ namespace encased_column {
 class FixOutputContacts : public LAMMPS_NS::Fix, public ContactProbe, public SeriesOwner {
  public:
   static const KeywordTable keywords;
+  static std::vector<TableText> tables();
 
   FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -38,7 +39,6 @@ class FixOutputContacts : public LAMMPS_NS::Fix, public ContactProbe, public Ser
   const VtkSeries* series() const override { return series_.get(); }
 
  private:
-  void read_levels(const Options& options);
   bool is_seen_elsewhere(const Contact& contact) const;
   bool wants_frame() const;
   void clear_contacts();

@@ -4,6 +4,7 @@
 #include "host/find_fix.h"
 #include "host/restart_block.h"
 #include "host/say_understood.h"
+#include "output/sleeve_columns.h"
 #include "output/vtk_sleeve_writer.h"
 #include "shell/fix_mesh_surface_shell.h"
 
@@ -21,6 +22,11 @@ const KeywordTable FixOutputSleeve::keywords{
     {"curves", 1, "-", "CSV file of the curves (default sleeve.csv)"},
 };
 
+std::vector<TableText> FixOutputSleeve::tables()
+{
+  return {{"profile.csv", texts_of(profile_columns())}, {"sleeve.csv", texts_of(sleeve_columns())}};
+}
+
 FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
       files_(lmp, *this),
@@ -34,14 +40,10 @@ FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     frame_every_ = options.integer("every", 1);
     row_every_ = options.integer("rows", 1, 200);
     nevery = static_cast<int>(std::gcd(frame_every_, row_every_));
-    profile_ = CsvSeries(files_.file(options, "profile", "profile.csv"),
-                         {"step [-]", "axial_strain [-]", "z [m]", "radius [m]",
-                          "radial_displacement [m]", "hoop_strain [-]", "hoop_tension [N/m]"});
-    curves_ = CsvSeries(files_.file(options, "curves", "sleeve.csv"),
-                        {"step [-]", "axial_strain [-]", "pressure [Pa]", "hoop_tension_mean [N/m]",
-                         "hoop_tension_max [N/m]", "hoop_strain_mean [-]", "hoop_strain_max [-]",
-                         "axial_force_top_end [N]", "axial_force_bottom_end [N]",
-                         "friction_force [N]", "enclosed_volume [m^3]", "energy [J]"});
+    profile_ =
+        CsvSeries(files_.file(options, "profile", "profile.csv"), headings_of(profile_columns()));
+    curves_ =
+        CsvSeries(files_.file(options, "curves", "sleeve.csv"), headings_of(sleeve_columns()));
     series_ = files_.series(options, "sleeve");
     say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
@@ -85,20 +87,18 @@ double FixOutputSleeve::height() const
 
 void FixOutputSleeve::write_curves()
 {
-  const SleeveSummary s = sleeve_->summary();
   const HeightWindow window = sleeve_->window();
-  const std::vector<double> row{static_cast<double>(update->ntimestep),
-                                axial_strain(),
-                                sleeve_->pressure_now(),
-                                s.hoop_tension,
-                                s.hoop_tension_max,
-                                s.hoop_strain,
-                                s.hoop_strain_max,
-                                sleeve_->axial_force(true),
-                                sleeve_->axial_force(false),
-                                sleeve_->friction_force(),
-                                sleeve_->enclosed_volume(window.low, window.high),
-                                sleeve_->stored_energy()};
+  const SleeveCurves now{static_cast<double>(update->ntimestep),
+                         axial_strain(),
+                         sleeve_->pressure_now(),
+                         sleeve_->summary(),
+                         sleeve_->axial_force(true),
+                         sleeve_->axial_force(false),
+                         sleeve_->friction_force(),
+                         sleeve_->enclosed_volume(window.low, window.high),
+                         sleeve_->stored_energy()};
+  std::vector<double> row;
+  add_numbers(sleeve_columns(), now, row);
   if (comm->me == 0 && !curves_.append(row)) files_.stop(curves_.path());
 }
 
@@ -106,11 +106,9 @@ void FixOutputSleeve::write_frame()
 {
   if (comm->me != 0) return;
   std::vector<double> rows;
-  for (const ProfilePoint& p : rings_->profile(sleeve_->model(), before_, sleeve_->axis()))
-    for (const double number :
-         {static_cast<double>(update->ntimestep), axial_strain(), p.z, p.radius,
-          p.radius - p.before, (p.radius - p.before) / p.before, p.hoop_tension})
-      rows.push_back(number);
+  for (const ProfilePoint& point : rings_->profile(sleeve_->model(), before_, sleeve_->axis()))
+    add_numbers(profile_columns(), {static_cast<double>(update->ntimestep), axial_strain(), point},
+                rows);
   if (!profile_.append(rows)) files_.stop(profile_.path());
   const long step = static_cast<long>(update->ntimestep);
   const std::string path = series_->path_of_step(step);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "files/column.h"
 #include "files/csv_series.h"
 #include "files/vtk_series.h"
 #include "host/blind_to_velocity.h"
@@ -22,6 +23,7 @@ class FixMeshSurfaceShell;
 class FixOutputSleeve : public LAMMPS_NS::Fix, public SeriesOwner, public BlindToVelocity {
  public:
   static const KeywordTable keywords;
+  static std::vector<TableText> tables();
 
   FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 

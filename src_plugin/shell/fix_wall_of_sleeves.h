@@ -1,6 +1,6 @@
 #pragma once
 
-#include "style_table.h"
+#include "host/creators.h"
 
 namespace encased_column {
 

@@ -267,7 +267,7 @@ TEST(PeriodicBox, HasAVerdictOfEveryStyle)
 {
   for (const std::string& line : run_program({ENCASE_PROGRAM, "-styles"}, "/").lines()) {
     const std::string command = "command ";
-    if (line.rfind("|", 0) == 0 || line.empty()) continue;
+    if (line.rfind("|", 0) == 0 || line.rfind("table ", 0) == 0 || line.empty()) continue;
     EXPECT_EQ(verdicts().count(line.rfind(command, 0) == 0 ? line.substr(command.size()) : line),
               1u)
         << line;
