@@ -175,9 +175,11 @@ void FixOutputGrains::write()
     files_.stop(path);
 }
 
-/// A new grain, and every grain on `reset`, starts where it is.
+/// A new grain, and every grain on `reset`, starts where it is. The host calls with -1 on a rank
+/// that got none of the grains of `read_data`.
 void FixOutputGrains::set_arrays(int i)
 {
+  if (i < 0) return;
   double unwrapped[3];
   domain->unmap(atom->x[i], atom->image[i], unwrapped);
   track_.begin(i, unwrapped);
