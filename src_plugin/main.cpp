@@ -26,7 +26,7 @@ bool is_one_of(const char* word, std::initializer_list<const char*> words)
   return false;
 }
 
-/// One line per style and keyword, in the form of the user pages' tables.
+/// One line per style, keyword and column of a table, in the form of the user pages' tables.
 void print_styles(std::ostream& out)
 {
   for (const Style& style : style_table()) {
@@ -35,6 +35,12 @@ void print_styles(std::ostream& out)
     for (const Keyword& k : style.maker.keywords->keywords())
       out << "| `" << k.name << "` | " << k.values << " | " << k.unit << " | " << k.meaning
           << " |\n";
+    if (!style.maker.tables) continue;
+    for (const TableText& table : style.maker.tables()) {
+      out << "table " << table.file << "\n";
+      for (const ColumnText& c : table.columns)
+        out << "| `" << c.name << "` | " << c.unit << " | " << c.meaning << " |\n";
+    }
   }
 }
 

@@ -5,8 +5,9 @@
 #include "host/contact_law.h"
 #include "host/fix_stop_request.h"
 #include "host/one_rank_errors.h"
+#include "host/output_files.h"
 #include "host/renumber_grains.h"
-#include "restart/restart_file.h"
+#include "files/restart_file.h"
 #include "shell/refuse_as_mesh.h"
 #include "style_table.h"
 
@@ -159,7 +160,10 @@ void run_command(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   // `clear` gives the deck a new Modify that knows only the host's fixes. Ours need a box, and a
   // box comes from one of these.
   const bool makes_box = is_one_of(word, {"create_box", "read_data", "read_restart"});
-  if (makes_box) register_fixes(lmp);
+  if (makes_box) {
+    register_fixes(lmp);
+    forget_files_of_commands();
+  }
   if (is_one_of(word, {"run", "run_time", "minimize", "solve"}) && lmp->domain->box_exist)
     check_contacts(lmp);
   if (word == "read_restart" && narg == 1 && !lmp->domain->box_exist) check_restart(lmp, arg[0]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "files/column.h"
 #include "host/host_types.h"
 
 #include <string>
@@ -10,11 +11,12 @@
 
 namespace encased_column {
 
-/// How the host makes an object of a style, the keywords it reads, and how to tell its fixes: the
-/// host may know one by another name.
+/// How the host makes an object of a style, the keywords it reads, the tables it writes, and how to
+/// tell its fixes: the host may know one by another name.
 struct Maker {
   std::variant<FixCreator, CommandCreator> create;
   const KeywordTable* keywords = nullptr;  ///< none: a style of the host, with the host's words
+  std::vector<TableText> (*tables)() = nullptr;  ///< that it writes; null where it writes none
   bool (*made)(const LAMMPS_NS::Fix& fix) = nullptr;
   /// Where a style of the host goes that this one takes the place of, if it is wanted.
   FixCreator* host = nullptr;
@@ -28,6 +30,15 @@ struct Style {
   bool reads_contact_law = false;
 };
 
+template <typename T, typename = void>
+struct TablesOf {
+  static constexpr std::vector<TableText> (*all)() = nullptr;
+};
+template <typename T>
+struct TablesOf<T, std::void_t<decltype(T::tables())>> {
+  static constexpr std::vector<TableText> (*all)() = T::tables;
+};
+
 /// A fix is made and kept by the host; a command is made, run and gone.
 template <typename T>
 Maker make()
@@ -36,12 +47,12 @@ Maker make()
     return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
               return new T(lmp, narg, arg);
             }),
-            &T::keywords,
+            &T::keywords, TablesOf<T>::all,
             [](const LAMMPS_NS::Fix& fix) { return dynamic_cast<const T*>(&fix) != nullptr; }};
   } else {
     return {CommandCreator(
                 [](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) { T(lmp).command(narg, arg); }),
-            &T::keywords, [](const LAMMPS_NS::Fix&) { return false; }};
+            &T::keywords, TablesOf<T>::all, [](const LAMMPS_NS::Fix&) { return false; }};
   }
 }
 
@@ -52,7 +63,7 @@ Maker make_instead()
   return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
             return new T(lmp, narg, arg);
           }),
-          nullptr, nullptr, nullptr};
+          nullptr, nullptr, nullptr, nullptr};
 }
 
 /// A fix of the host that `make` makes, with the host's creator at hand.
@@ -63,7 +74,7 @@ Maker make_instead()
   return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
             return make(host, lmp, narg, arg);
           }),
-          nullptr, nullptr, &host};
+          nullptr, nullptr, nullptr, &host};
 }
 
 /// Every fix and command of the plugin, and the fixes of the host it takes the place of.

@@ -1,7 +1,7 @@
 #include "runner/text_file.h"
 
 #include "core/input_error.h"
-#include "output/whole_file.h"
+#include "files/atomic_file.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,6 +1,7 @@
 #include "drawing/load_figures.h"
 
 #include "drawing/labels.h"
+#include "files/column_names.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,8 +12,8 @@ namespace {
 
 const Axis mean_stress{"mean stress p = (σ₁ + 2 σ₃) / 3 [kPa]", false, 0.0, {}};
 const Axis deviatoric_stress{"deviatoric stress q [kPa]", false, 0.0, {}};
-const char* const core_axial = "core_axial_stress [Pa]";
-const char* const core_radial = "core_radial_stress [Pa]";
+const ColumnName core_axial = history_column::core_axial_stress;
+const ColumnName core_radial = history_column::core_radial_stress;
 
 /// A test with the name and the look of its curves.
 struct Curve {

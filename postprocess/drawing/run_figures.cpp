@@ -1,6 +1,7 @@
 #include "drawing/run_figures.h"
 
 #include "drawing/labels.h"
+#include "files/column_names.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,12 +17,16 @@ Series limit(const std::string& label, double end_of_strain, double value)
 
 Figure energy(const TestResult& test)
 {
-  static const std::vector<std::pair<const char*, const char*>> terms{
-      {"work_platens [J]", "work of the platens"}, {"work_side [J]", "work of the side"},
-      {"work_gravity [J]", "work of gravity"},     {"loss_friction [J]", "lost: friction"},
-      {"loss_rolling [J]", "lost: rolling"},       {"loss_dashpots [J]", "lost: dashpots"},
-      {"loss_damping [J]", "lost: local damping"}, {"energy_elastic [J]", "stored: elastic"},
-      {"energy_kinetic [J]", "stored: kinetic"},
+  static const std::vector<std::pair<ColumnName, const char*>> terms{
+      {history_column::work_platens, "work of the platens"},
+      {history_column::work_side, "work of the side"},
+      {history_column::work_gravity, "work of gravity"},
+      {history_column::loss_friction, "lost: friction"},
+      {history_column::loss_rolling, "lost: rolling"},
+      {history_column::loss_dashpots, "lost: dashpots"},
+      {history_column::loss_damping, "lost: local damping"},
+      {history_column::energy_elastic, "stored: elastic"},
+      {history_column::energy_kinetic, "stored: kinetic"},
   };
   Panel panel;
   panel.title = "Energy balance of " + test.run->id;

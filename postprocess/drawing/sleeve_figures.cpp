@@ -1,6 +1,7 @@
 #include "drawing/sleeve_figures.h"
 
 #include "drawing/labels.h"
+#include "files/column_names.h"
 #include "report/sleeve_theory.h"
 #include "report/text_layout.h"
 
@@ -37,9 +38,11 @@ Panel radial_strain(const NamedTest& named, const Targets& targets)
               {}};
   std::vector<Series> marks;
   std::size_t color = 0;
-  for (const char* height : {"75", "50", "25"}) {
+  for (const auto& [height, column] : {std::pair("75", history_column::radial_strain_75),
+                                       std::pair("50", history_column::radial_strain_50),
+                                       std::pair("25", history_column::radial_strain_25)}) {
     const std::string name = std::string("0.") + height + " H";
-    const auto shortening = run.history.numbers(std::string("radial_strain_") + height + " [-]");
+    const auto shortening = run.history.numbers(column);
     panel.series.push_back(
         {name, percent(named.test->axial_strain), scaled(shortening, -100.0), palette(color)});
     const auto published = targets.find(
@@ -66,9 +69,10 @@ Panel platens(const NamedTest& named)
   const std::vector<double> strain = percent(test.axial_strain);
   const TextTable& history = test.run->history;
   panel.series.push_back({"top platen", strain,
-                          scaled(history.numbers("deviatoric_stress_top [Pa]"), 1e-3), palette(1)});
+                          scaled(history.numbers(history_column::deviatoric_stress_top), 1e-3),
+                          palette(1)});
   panel.series.push_back({"bottom platen", strain,
-                          scaled(history.numbers("deviatoric_stress_bottom [Pa]"), 1e-3),
+                          scaled(history.numbers(history_column::deviatoric_stress_bottom), 1e-3),
                           palette(0)});
   Series theory{"Kp (σ₃ + T/r) − σ₃", {}, {}, black, Stroke::dashed};
   for (int i = 1; 0.005 * i < test.axial_strain.back() + 1e-3; ++i) {

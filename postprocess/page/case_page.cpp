@@ -6,6 +6,7 @@
 #include "drawing/run_figures.h"
 #include "drawing/sleeve_figures.h"
 #include "drawing/triaxial_figures.h"
+#include "files/column_names.h"
 #include "page/counterparts.h"
 #include "page/page_parts.h"
 #include "page/picture_list.h"
@@ -58,7 +59,7 @@ PageData facts(const TestResult& test, const Targets& targets, const RunRecord& 
     list << fact("Secant modulus E50", fixed(*test.secant_modulus / 1e6, 1) + " MPa",
                  published("secant modulus E50"));
   list << fact("Porosity at the start of shear",
-               fixed(run.history.numbers("porosity_less_overlap [-]").front(), 3),
+               fixed(run.history.numbers(history_column::porosity_less_overlap).front(), 3),
                "overlaps counted once");
   if (test.grains) list << fact("Grains", std::to_string(*test.grains), "");
   const CheckCount count = count_checks({{run.set(), {test}, {}}});

@@ -5,6 +5,7 @@
 #include "drawing/run_figures.h"
 #include "drawing/sleeve_figures.h"
 #include "drawing/triaxial_figures.h"
+#include "files/column_names.h"
 #include "page/page_parts.h"
 #include "page/picture_list.h"
 #include "page_templates.h"
@@ -36,7 +37,7 @@ std::vector<std::string> as_words(const TestResult& test, const RunRecord& recor
           in_words(run.confining_stress / 1e3),
           run.resolution.empty() ? "-" : run.resolution,
           test.grains ? std::to_string(*test.grains) : "-",
-          fixed(run.history.numbers("porosity_less_overlap [-]").front(), 3),
+          fixed(run.history.numbers(history_column::porosity_less_overlap).front(), 3),
           fixed(test.peak.reported / 1e3, 0),
           test.secant_modulus ? fixed(*test.secant_modulus / 1e6, 1) : "-",
           fixed(100.0 * test.axial_strain.back(), 1),

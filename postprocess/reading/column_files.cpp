@@ -1,6 +1,7 @@
 #include "reading/column_files.h"
 
 #include "analysis/sampled_curve.h"
+#include "files/column_names.h"
 
 #include <filesystem>
 #include <optional>
@@ -15,7 +16,8 @@ namespace fs = std::filesystem;
 /// Axial strain [-] of the specimen at each of `steps`.
 std::vector<double> strains_at(const std::vector<double>& steps, const TextTable& history)
 {
-  const SampledCurve strain(history.numbers("step [-]"), history.numbers("axial_strain [-]"));
+  const SampledCurve strain(history.numbers(history_column::step),
+                            history.numbers(history_column::axial_strain));
   std::vector<double> strains;
   for (const double step : steps) strains.push_back(strain.value(step));
   return strains;
@@ -34,20 +36,21 @@ std::vector<SphereSeries> read_spheres(const CaseRun& run)
   const fs::path file = run.folder / "spheres.csv";
   if (!fs::exists(file)) return {};
   const TextTable table(file);
-  static const std::vector<std::pair<const char*, double SphereSample::*>> columns{
-      {"z [m]", &SphereSample::height},
-      {"grains [-]", &SphereSample::grains},
-      {"porosity [-]", &SphereSample::porosity},
-      {"porosity_less_overlap [-]", &SphereSample::porosity_less_overlap},
-      {"coordination_number [-]", &SphereSample::coordination_number},
-      {"axial_stress [Pa]", &SphereSample::axial_stress},
-      {"radial_stress [Pa]", &SphereSample::radial_stress},
-      {"mean_contact_force [N]", &SphereSample::mean_force},
-      {"largest_contact_force [N]", &SphereSample::largest_force}};
+  static const std::vector<std::pair<ColumnName, double SphereSample::*>> columns{
+      {sphere_column::z, &SphereSample::height},
+      {sphere_column::grains, &SphereSample::grains},
+      {sphere_column::porosity, &SphereSample::porosity},
+      {sphere_column::porosity_less_overlap, &SphereSample::porosity_less_overlap},
+      {sphere_column::coordination_number, &SphereSample::coordination_number},
+      {sphere_column::axial_stress, &SphereSample::axial_stress},
+      {sphere_column::radial_stress, &SphereSample::radial_stress},
+      {sphere_column::mean_contact_force, &SphereSample::mean_force},
+      {sphere_column::largest_contact_force, &SphereSample::largest_force}};
   std::vector<SphereSample> rows(table.rows());
-  fill(rows, &SphereSample::axial_strain, strains_at(table.numbers("step [-]"), run.history));
+  fill(rows, &SphereSample::axial_strain,
+       strains_at(table.numbers(sphere_column::step), run.history));
   for (const auto& [name, member] : columns) fill(rows, member, table.numbers(name));
-  return sphere_series(table.numbers("sphere [-]"), rows);
+  return sphere_series(table.numbers(sphere_column::sphere), rows);
 }
 
 std::vector<ContactSample> read_contacts(const CaseRun& run)
@@ -56,10 +59,11 @@ std::vector<ContactSample> read_contacts(const CaseRun& run)
   if (!fs::exists(file)) return {};
   const TextTable table(file);
   std::vector<ContactSample> rows(table.rows());
-  fill(rows, &ContactSample::axial_strain, strains_at(table.numbers("step [-]"), run.history));
-  fill(rows, &ContactSample::contacts, table.numbers("contacts [-]"));
-  fill(rows, &ContactSample::mean_force, table.numbers("mean_force [N]"));
-  fill(rows, &ContactSample::largest_force, table.numbers("largest_force [N]"));
+  fill(rows, &ContactSample::axial_strain,
+       strains_at(table.numbers(contact_column::step), run.history));
+  fill(rows, &ContactSample::contacts, table.numbers(contact_column::contacts));
+  fill(rows, &ContactSample::mean_force, table.numbers(contact_column::mean_force));
+  fill(rows, &ContactSample::largest_force, table.numbers(contact_column::largest_force));
   for (const std::string& heading : table.headings()) {
     const std::optional<double> level = level_of_share(heading);
     if (!level) continue;

@@ -2,6 +2,7 @@
 
 #include "analysis/grain_weight.h"
 #include "core/input_error.h"
+#include "files/column_names.h"
 #include "reading/column_files.h"
 #include "reading/grain_file.h"
 #include "reading/sleeve_files.h"
@@ -20,7 +21,8 @@ std::vector<double> mean_of(const std::vector<double>& a, const std::vector<doub
 
 std::vector<double> deviatoric_stress(const TextTable& history, Platen platen)
 {
-  const std::string top = "deviatoric_stress_top [Pa]", bottom = "deviatoric_stress_bottom [Pa]";
+  const ColumnName top = history_column::deviatoric_stress_top,
+                   bottom = history_column::deviatoric_stress_bottom;
   if (platen == Platen::top) return history.numbers(top);
   if (platen == Platen::bottom) return history.numbers(bottom);
   return mean_of(history.numbers(top), history.numbers(bottom));
@@ -35,8 +37,8 @@ std::vector<double> weight_stresses(const CaseRun& run)
 {
   const auto density = run.variables.find("density");
   if (density == run.variables.end()) return {};
-  const std::vector<double> porosity = run.history.numbers("porosity [-]");
-  const std::vector<double> height = run.history.numbers("height [m]");
+  const std::vector<double> porosity = run.history.numbers(history_column::porosity);
+  const std::vector<double> height = run.history.numbers(history_column::height);
   std::vector<double> stresses;
   for (std::size_t i = 0; i < height.size(); ++i)
     stresses.push_back(weight_stress(density->second, gravity_of_decks, porosity[i], height[i]));
@@ -47,14 +49,14 @@ ShearRecord shear_record(const CaseRun& run)
 {
   ShearRecord record;
   record.target_confining_stress = run.confining_stress;
-  record.axial_strain = run.history.numbers("axial_strain [-]");
-  record.confining_stress = run.history.numbers("confining_stress [Pa]");
-  record.stress_top = run.history.numbers("stress_top [Pa]");
-  record.stress_bottom = run.history.numbers("stress_bottom [Pa]");
+  record.axial_strain = run.history.numbers(history_column::axial_strain);
+  record.confining_stress = run.history.numbers(history_column::confining_stress);
+  record.stress_top = run.history.numbers(history_column::stress_top);
+  record.stress_bottom = run.history.numbers(history_column::stress_bottom);
   record.weight_stress = weight_stresses(run);
-  record.unbalanced_average = run.history.numbers("unbalanced_average [-]");
-  record.inertial_number = run.history.numbers("inertial_number [-]");
-  record.energy_error = run.history.numbers("energy_error [-]");
+  record.unbalanced_average = run.history.numbers(history_column::unbalanced_average);
+  record.inertial_number = run.history.numbers(history_column::inertial_number);
+  record.energy_error = run.history.numbers(history_column::energy_error);
   return record;
 }
 
@@ -66,7 +68,7 @@ TestResult evaluate_run(const CaseRun& run, Platen platen, const std::optional<S
   result.record = shear_record(run);
   result.axial_strain = result.record.axial_strain;
   result.deviatoric_stress = deviatoric_stress(run.history, platen);
-  result.volumetric_strain = run.history.numbers("volumetric_strain [-]");
+  result.volumetric_strain = run.history.numbers(history_column::volumetric_strain);
 
   const SampledCurve curve(result.axial_strain, result.deviatoric_stress);
   result.peak = peak_strength(curve);
@@ -102,7 +104,7 @@ bool has_two_confining_stresses(const std::vector<TestResult>& tests)
 
 double initial_height(const TestResult& test)
 {
-  return test.run->history.numbers("height [m]").front();
+  return test.run->history.numbers(history_column::height).front();
 }
 
 std::string platen_name(Platen platen)

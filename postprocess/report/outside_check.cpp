@@ -1,6 +1,7 @@
 #include "report/outside_check.h"
 
 #include "analysis/outside_walls.h"
+#include "files/column_names.h"
 #include "reading/frame_files.h"
 #include "reading/sleeve_surface.h"
 
@@ -44,18 +45,18 @@ Check outside_check(const CaseRun& run, const std::optional<GrainFile>& grains)
   const auto built = run.variables.find("height"), moving = run.variables.find("moving");
   if (built == run.variables.end() || moving == run.variables.end())
     return not_made("case.json has no height or no moving, which place the platens");
-  if (!run.history.has("step [-]")) return not_made("history.csv has no steps");
+  if (!run.history.has(history_column::step)) return not_made("history.csv has no steps");
 
   // The decks run with a time step of one: times of files are steps.
-  const std::vector<double> steps = run.history.numbers("step [-]");
+  const std::vector<double> steps = run.history.numbers(history_column::step);
   const auto row = std::find(steps.begin(), steps.end(), grains->time);
   if (row == steps.end()) return not_made("history.csv has no row of the step of its last file");
   const auto at = static_cast<std::size_t>(row - steps.begin());
-  const std::vector<double> heights = run.history.numbers("height [m]");
+  const std::vector<double> heights = run.history.numbers(history_column::height);
   WallPlaces walls{
       platen_heights(built->second, heights.front(), heights[at], static_cast<int>(moving->second)),
       {}};
-  if (!run.encased()) walls.radius = run.history.numbers("radius [m]")[at];
+  if (!run.encased()) walls.radius = run.history.numbers(history_column::radius)[at];
 
   std::vector<std::array<double, 3>> inside;
   for (const std::array<double, 3>& center : grains->centers)

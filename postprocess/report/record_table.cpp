@@ -1,6 +1,7 @@
 #include "report/record_table.h"
 
 #include "core/input_error.h"
+#include "files/column_names.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -51,8 +52,8 @@ Rows record_rows(const TestResult& test, const RunRecord& record)
                       ? "wall time since the last start"
                       : "wall time of growth and shear (rest and consolidation not recorded)",
                   time_of(record)});
-  if (history.has("step [-]")) {
-    const std::vector<double> steps = history.numbers("step [-]");
+  if (history.has(history_column::step)) {
+    const std::vector<double> steps = history.numbers(history_column::step);
     rows.push_back({"steps in all", fixed(steps.back(), 0)});
     rows.push_back({"steps of shear", fixed(steps.back() - steps.front(), 0)});
   }
@@ -61,11 +62,11 @@ Rows record_rows(const TestResult& test, const RunRecord& record)
   if (run.generation_porosity)
     rows.push_back({"porosity at generation [-]", fixed(*run.generation_porosity, 4)});
   rows.push_back({"porosity at the start of shear, overlaps counted twice [-]",
-                  fixed(history.numbers("porosity [-]").front(), 4)});
+                  fixed(history.numbers(history_column::porosity).front(), 4)});
   rows.push_back({"porosity at the start of shear, less overlaps [-]",
-                  fixed(history.numbers("porosity_less_overlap [-]").front(), 4)});
+                  fixed(history.numbers(history_column::porosity_less_overlap).front(), 4)});
   rows.push_back({"porosity at the end, less overlaps [-]",
-                  fixed(history.numbers("porosity_less_overlap [-]").back(), 4)});
+                  fixed(history.numbers(history_column::porosity_less_overlap).back(), 4)});
   rows.push_back({"inertial number, largest [-]", largest(test.record.inertial_number)});
   for (const std::string& line : record.versions)
     if (line.rfind("cores ", 0) == 0) rows.push_back({"machine", line});

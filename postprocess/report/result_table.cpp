@@ -2,6 +2,7 @@
 
 #include "core/constants.h"
 #include "core/input_error.h"
+#include "files/column_names.h"
 
 #include <algorithm>
 #include <optional>
@@ -32,19 +33,21 @@ void add_porosities(const TestResult& test, const Targets& targets, std::vector<
   };
   if (run.generation_porosity)
     rows.push_back({run.id, "porosity, at generation", "-", *run.generation_porosity, 4, {}});
-  add("at start of shear, overlap counted", run.history.numbers("porosity [-]").front());
-  add("at start of shear, less overlap", run.history.numbers("porosity_less_overlap [-]").front());
+  add("at start of shear, overlap counted", run.history.numbers(history_column::porosity).front());
+  add("at start of shear, less overlap",
+      run.history.numbers(history_column::porosity_less_overlap).front());
 }
 
 void add_radial_strains(const TestResult& test, const Targets& targets,
                         std::vector<ResultRow>& rows)
 {
   const CaseRun& run = *test.run;
-  for (const char* height : {"25", "50", "75"}) {
+  for (const auto& [height, column] : {std::pair("25", history_column::radial_strain_25),
+                                       std::pair("50", history_column::radial_strain_50),
+                                       std::pair("75", history_column::radial_strain_75)}) {
     const std::string quantity =
         std::string("radial strain at 0.") + height + "H at the end of the test";
     const std::string sign = ", from the bottom, expansion +";
-    const std::string column = std::string("radial_strain_") + height + " [-]";
     // Histories count the radius getting shorter as positive, the study its expansion.
     rows.push_back({run.id, quantity + sign, "%", -100.0 * run.history.numbers(column).back(), 2,
                     targets.find(run.set(), quantity, confining_condition(run.confining_stress))});

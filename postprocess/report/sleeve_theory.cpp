@@ -1,6 +1,7 @@
 #include "report/sleeve_theory.h"
 
 #include "analysis/encasement.h"
+#include "files/column_names.h"
 
 #include <cmath>
 
@@ -8,7 +9,8 @@ namespace encased_column {
 
 namespace {
 
-const std::string core_axial = "core_axial_stress [Pa]", core_radial = "core_radial_stress [Pa]";
+const ColumnName core_axial = history_column::core_axial_stress,
+                 core_radial = history_column::core_radial_stress;
 constexpr double reached_within = 1e-3;  // of axial strain: a last sample may miss the round number
 
 bool reaches(const std::vector<double>& strains, double strain)
@@ -27,7 +29,8 @@ double mean_at(double strain, const std::vector<double>& strains, const std::vec
 double initial_radius(const CaseRun& run)
 {
   const auto found = run.variables.find("radius");
-  return found != run.variables.end() ? found->second : run.history.numbers("radius [m]").front();
+  return found != run.variables.end() ? found->second
+                                      : run.history.numbers(history_column::radius).front();
 }
 
 /// The angle of friction [rad] that the grains of the middle third mobilise, where the history has
@@ -57,8 +60,8 @@ std::optional<SleeveState> sleeve_state(const TestResult& test, double axial_str
   const double sigma3 = at_platens(test.record.confining_stress);
   const double top = at_platens(test.record.stress_top);
   const double bottom = at_platens(test.record.stress_bottom);
-  const double area =
-      at_sleeve(test.sleeve->enclosed_volume) / at_platens(test.run->history.numbers("height [m]"));
+  const double area = at_sleeve(test.sleeve->enclosed_volume) /
+                      at_platens(test.run->history.numbers(history_column::height));
   const double tension = at_sleeve(test.sleeve->hoop_tension_mean);
   const double radius =
       stretched_radius(initial_radius(*test.run), at_sleeve(test.sleeve->hoop_strain_mean));

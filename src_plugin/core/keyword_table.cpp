@@ -75,7 +75,34 @@ std::string Options::word(const std::string& keyword) const
 
 std::string Options::word(const std::string& keyword, const std::string& otherwise) const
 {
-  return has(keyword) ? word(keyword) : otherwise;
+  if (has(keyword)) return word(keyword);
+  assume(keyword, otherwise);
+  return otherwise;
+}
+
+void Options::assume(const std::string& keyword, const std::string& value) const
+{
+  if (!has(keyword)) assumed_[keyword] = value;
+}
+
+void Options::assume(const std::string& keyword, double value) const
+{
+  assume(keyword, in_words(value));
+}
+
+std::string Options::understood() const
+{
+  std::vector<std::string> parts;
+  for (const std::string& keyword : keywords_) {
+    const auto given = found_.find(keyword);
+    if (given != found_.end())
+      for (const std::vector<std::string>& words : given->second)
+        parts.push_back(words.empty() ? keyword : keyword + " " + joined(words));
+    const auto assumed = assumed_.find(keyword);
+    if (assumed != assumed_.end())
+      parts.push_back(assumed->second.empty() ? keyword : keyword + " " + assumed->second);
+  }
+  return list_of(parts);
 }
 
 double Options::number(const std::string& keyword) const
@@ -85,7 +112,9 @@ double Options::number(const std::string& keyword) const
 
 double Options::number(const std::string& keyword, double otherwise) const
 {
-  return has(keyword) ? number(keyword) : otherwise;
+  if (has(keyword)) return number(keyword);
+  assume(keyword, otherwise);
+  return otherwise;
 }
 
 double Options::positive(const std::string& keyword) const
@@ -100,7 +129,9 @@ double Options::positive(const std::string& keyword) const
 
 double Options::positive(const std::string& keyword, double otherwise) const
 {
-  return has(keyword) ? positive(keyword) : otherwise;
+  if (has(keyword)) return positive(keyword);
+  assume(keyword, otherwise);
+  return otherwise;
 }
 
 double Options::not_negative(const std::string& keyword, double otherwise) const
@@ -135,7 +166,9 @@ long Options::integer(const std::string& keyword, long low) const
 
 long Options::integer(const std::string& keyword, long low, long otherwise) const
 {
-  return has(keyword) ? integer(keyword, low) : otherwise;
+  if (has(keyword)) return integer(keyword, low);
+  assume(keyword, std::to_string(otherwise));
+  return otherwise;
 }
 
 Vec3 Options::vector(const std::string& keyword) const
@@ -158,7 +191,9 @@ std::string Options::choice(const std::string& keyword,
 std::string Options::choice(const std::string& keyword, const std::vector<std::string>& allowed,
                             const std::string& otherwise) const
 {
-  return has(keyword) ? choice(keyword, allowed) : otherwise;
+  if (has(keyword)) return choice(keyword, allowed);
+  assume(keyword, otherwise);
+  return otherwise;
 }
 
 std::string KeywordTable::names() const
@@ -177,6 +212,7 @@ std::vector<Keyword>::const_iterator KeywordTable::find(const std::string& name)
 Options KeywordTable::read(const std::vector<std::string>& words) const
 {
   Options options;
+  for (const Keyword& keyword : keywords_) options.keywords_.push_back(keyword.name);
   std::size_t next = 0;
   // A missing value swallows the keyword that follows: allowed, as IDs may be named like keywords,
   // but the likely reason when the word after it is unknown.

@@ -18,7 +18,8 @@ struct Keyword {
   bool repeats = false;  ///< may stand more than once
 };
 
-/// What a deck gave for the keywords of one table; every accessor throws InputError.
+/// What a deck gave for the keywords of one table; every accessor throws InputError. The accessors
+/// note which value they handed out where the deck gave none, so that understood() can tell.
 class Options {
  public:
   bool has(const std::string& keyword) const { return found_.count(keyword) > 0; }
@@ -42,9 +43,20 @@ class Options {
   /// All words given for each time the keyword stands, in order.
   const std::vector<std::vector<std::string>>& all(const std::string& keyword) const;
 
+  /// Notes that `value` stands for `keyword` where the deck does not give it and no accessor above
+  /// is asked with it.
+  void assume(const std::string& keyword, const std::string& value) const;
+  void assume(const std::string& keyword, double value) const;
+
+  /// All that will be used, defaults included, in the order and the words of the table: "every 200,
+  /// file history.csv".
+  std::string understood() const;
+
  private:
   friend class KeywordTable;
+  std::vector<std::string> keywords_;  ///< of the table
   std::map<std::string, std::vector<std::vector<std::string>>> found_;
+  mutable std::map<std::string, std::string> assumed_;
 };
 
 /// The keywords of a style, declared once: the reader, the message for an unknown keyword and the

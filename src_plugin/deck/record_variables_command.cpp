@@ -1,9 +1,9 @@
 #include "deck/record_variables_command.h"
 
 #include "core/input_error.h"
+#include "files/atomic_file.h"
+#include "host/output_files.h"
 #include "host/variable_names.h"
-#include "output/output_places.h"
-#include "output/whole_file.h"
 
 #include "input.h"
 #include "variable.h"
@@ -29,8 +29,9 @@ std::string in_quotes(const std::string& value)
 void RecordVariablesCommand::command(int narg, char** arg)
 {
   try {
-    const std::string file = keywords.read(narg, arg, 0).word("file");
-    require_writable(lmp, "file", file, unfinished(file));
+    const Options options = keywords.read(narg, arg, 0);
+    const std::string file =
+        OutputFiles(lmp, "record_variables").file(options, "file", "", unfinished(""));
     std::string rows = "name,style,value\n";
     for (const auto& [name, style] : variable_names(*input->variable)) {
       const char* value = input->variable->retrieve(const_cast<char*>(name.c_str()));

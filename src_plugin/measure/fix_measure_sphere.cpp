@@ -1,11 +1,24 @@
 #include "measure/fix_measure_sphere.h"
 
 #include "core/input_error.h"
-#include "output/output_places.h"
+#include "files/vtk_spheres_writer.h"
+#include "host/box_of_run.h"
+#include "host/rank_sums.h"
+#include "host/restart_block.h"
+#include "host/say_understood.h"
+#include "measure/see_contact.h"
 
 #include <numeric>
 
 namespace encased_column {
+
+namespace {
+
+/// Fewer and the numbers of a sphere depend on where it stands.
+/// Source: the study, section 2.2.2.
+constexpr double fewest_grains = 2000.0;
+
+}  // namespace
 
 const KeywordTable FixMeasureSphere::keywords{
     {"sphere", 4, "m", "x, y, z and radius of a sphere that stands still (may be repeated)", true},
@@ -20,73 +33,45 @@ const KeywordTable FixMeasureSphere::keywords{
     {"name", 1, "-", "name of their series (default spheres)"},
 };
 
+std::vector<TableText> FixMeasureSphere::tables()
+{
+  return {{"spheres.csv", texts_of(sphere_columns())}};
+}
+
 FixMeasureSphere::FixMeasureSphere(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
       platens_(lmp),
+      files_(lmp, *this),
       file_("", {}),
       clock_(lmp)
 {
   try {
     const Options options = keywords.read(narg, arg);
-    read_spheres(options);
+    sampler_ = SphereSampler(options);
+    if (sampler_.has_stack()) platens_.read(options);
     row_every_ = options.integer("every", 1, 1000);
-    frame_every_ = options.integer("frames", 1, row_every_);
+    frame_every_ = options.has("frames") ? options.integer("frames", 1) : row_every_;
     nevery = static_cast<int>(std::gcd(row_every_, frame_every_));
-    const std::string file = options.word("file", "spheres.csv");
-    require_writable(lmp, "file", file, file);
-    file_ = CsvSeries(file, columns());
+    file_ = CsvSeries(files_.file(options, "file", "spheres.csv"), headings_of(sphere_columns()));
     if (options.has("frames") && !options.has("folder"))
       throw InputError(
           "'frames' goes with 'folder', found it alone, write for example 'folder spheres'");
-    if (options.has("folder")) series_ = series_of(lmp, options, "spheres");
+    if (options.has("folder")) {
+      series_ = files_.series(options, "spheres");
+      options.assume("frames", std::to_string(frame_every_));
+    }
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
+  const std::size_t columns = sphere_columns().size();
   restart_global = 1;
   array_flag = 1;
-  size_array_rows = static_cast<int>(spheres_.size());
-  size_array_cols = static_cast<int>(columns().size());
+  size_array_rows = static_cast<int>(sampler_.spheres());
+  size_array_cols = static_cast<int>(columns);
   global_freq = 1;
   extarray = 0;
-  rows_.assign(spheres_.size(), std::vector<double>(columns().size(), 0.0));
-}
-
-void FixMeasureSphere::read_spheres(const Options& options)
-{
-  Vec3 axis = Vec3::Zero();
-  const auto number_at = [](const std::vector<std::string>& words, int n) {
-    static const KeywordTable one{{"sphere", 1, "m", ""}};
-    return one.read({"sphere", words[n]}).number("sphere");
-  };
-  if (options.has("axis"))
-    for (int a = 0; a < 2; ++a) axis(a) = number_at(options.all("axis").front(), a);
-  const auto add = [&](const Vec3& center, double radius) {
-    if (!(radius > 0.0))
-      throw InputError("the radius of a measuring sphere must be larger than zero, found " +
-                       in_words(radius) + ", write a length in m");
-    spheres_.push_back({center, radius, axis});
-  };
-  if (options.has("sphere"))
-    for (const auto& words : options.all("sphere"))
-      add({number_at(words, 0), number_at(words, 1), number_at(words, 2)}, number_at(words, 3));
-  if (options.has("stack") != options.has("platens"))
-    throw InputError(
-        "'stack' and 'platens' go together, found one of them alone, write for "
-        "example 'stack 3 0.04 platens top bottom'");
-  if (options.has("stack")) {
-    const auto& words = options.all("stack").front();
-    const double wanted = number_at(words, 0);
-    if (!(wanted >= 1.0 && wanted <= 1000.0 && wanted == std::floor(wanted)))
-      throw InputError("'stack' takes a whole number of spheres from 1 to 1000, found " + words[0] +
-                       ", write for example 'stack 3 0.04'");
-    stack_ = static_cast<int>(wanted);
-    for (int n = 0; n < stack_; ++n) add(axis, number_at(words, 1));
-    platens_.read(options);
-  }
-  if (spheres_.empty())
-    throw InputError(
-        "'measure/sphere' needs 'sphere' or 'stack', found neither, write for example "
-        "'sphere 0 0 0.1 0.04'");
+  rows_.assign(sampler_.spheres(), std::vector<double>(columns, 0.0));
 }
 
 int FixMeasureSphere::setmask()
@@ -97,9 +82,9 @@ int FixMeasureSphere::setmask()
 
 void FixMeasureSphere::init()
 {
-  if (stack_ == 0) return;
   try {
-    platens_.find();
+    if (sampler_.has_stack()) platens_.find();
+    files_.check_host();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -113,32 +98,25 @@ bool FixMeasureSphere::wants_contacts(LAMMPS_NS::bigint step) const
 void FixMeasureSphere::setup_pre_force(int)
 {
   setting_up_ = true;
-  clear_sums();
+  start_sample();
 }
 
 void FixMeasureSphere::pre_force(int)
 {
   setting_up_ = false;
-  if (wants_contacts(update->ntimestep)) clear_sums();
+  if (wants_contacts(update->ntimestep)) start_sample();
 }
 
-void FixMeasureSphere::clear_sums()
+void FixMeasureSphere::start_sample()
 {
-  place_stack();
-  contacts_of_.assign(atom->nlocal, 0);
-  sums_.assign(spheres_.size(), SphereSums());
-  largest_force_.assign(spheres_.size(), 0.0);
+  sampler_.start(box_of(lmp), sampler_.has_stack() ? platens_.now().window() : HeightWindow());
+  contacts_of_.start(atom->nlocal);
 }
 
-void FixMeasureSphere::place_stack()
+void FixMeasureSphere::add_contact(const Contact& contact)
 {
-  if (stack_ == 0) return;
-  const HeightWindow window = platens_.now().window();
-  const std::size_t first = spheres_.size() - stack_;
-  for (int n = 0; n < stack_; ++n) {
-    MeasuringSphere& sphere = spheres_[first + n];
-    sphere.center.z() = window.level_in_stack(n, stack_, sphere.radius);
-  }
+  contacts_of_.add(contact);
+  sampler_.add(see_contact(contact, contacts_of_, *atom));
 }
 
 // The first row is the state before the first step.
@@ -157,6 +135,80 @@ void FixMeasureSphere::end_of_step()
   take_sample();
   if (update->ntimestep % row_every_ == 0) write_row();
   if (update->ntimestep % frame_every_ == 0) write_frame();
+}
+
+void FixMeasureSphere::take_sample()
+{
+  sampled_ = true;
+  for (int i = 0; i < atom->nlocal; ++i)
+    sampler_.add_grain(as_vec3(atom->x[i]), atom->radius[i], contacts_of_[i]);
+  sum_over_ranks(sampler_.sums(), sampler_.size_of_sums(), world);
+  for (double& force : sampler_.largest_forces()) force = max_over_ranks(force, world);
+  const auto samples = sampler_.samples(static_cast<double>(update->ntimestep));
+  for (std::size_t n = 0; n < samples.size(); ++n) {
+    rows_[n].clear();
+    add_numbers(sphere_columns(), samples[n], rows_[n]);
+  }
+  warn_of_few_grains(samples);
+}
+
+void FixMeasureSphere::warn_of_few_grains(const std::vector<SphereRow>& samples)
+{
+  for (const SphereRow& sample : samples) {
+    if (warned_ || sample.measure.grains >= fewest_grains) continue;
+    warned_ = true;
+    if (comm->me == 0)
+      error->warning(
+          FLERR, ("measuring sphere " + in_words(sample.number) + " of fix '" + id + "' holds " +
+                  in_words(sample.measure.grains) + " grains at step " +
+                  std::to_string(update->ntimestep) +
+                  ", take a larger one: below 2000 its numbers depend on where it stands")
+                     .c_str());
+  }
+}
+
+void FixMeasureSphere::write_row()
+{
+  if (comm->me != 0) return;
+  std::vector<double> block;
+  for (const std::vector<double>& row : rows_) block.insert(block.end(), row.begin(), row.end());
+  if (!file_.append(block)) files_.stop(file_.path());
+}
+
+void FixMeasureSphere::write_frame()
+{
+  if (comm->me != 0 || !series_) return;
+  const long step = static_cast<long>(update->ntimestep);
+  const std::string path = series_->path_of_step(step);
+  if (!write_spheres(path, headings_of(sphere_columns()), rows_) ||
+      !series_->list(clock_.now(), step))
+    files_.stop(path);
+}
+
+/// The time and the rows as they are, then the series as text.
+void FixMeasureSphere::write_restart(FILE* file)
+{
+  if (comm->me != 0) return;
+  std::vector<double> numbers{clock_.now()};
+  for (const std::vector<double>& row : rows_)
+    numbers.insert(numbers.end(), row.begin(), row.end());
+  write_block(file, numbers, series_ ? series_->saved() : "");
+}
+
+void FixMeasureSphere::restart(char* buffer)
+{
+  try {
+    RestartBlock block(buffer);
+    clock_.restart(block.take());
+    for (std::vector<double>& row : rows_) block.take(row.data(), row.size());
+    sampled_ = true;
+    if (comm->me != 0) return;
+    if (!file_.go_back_to(static_cast<double>(update->ntimestep))) files_.stop(file_.path());
+    if (series_ && !series_->restore(block.text()))
+      files_.stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column

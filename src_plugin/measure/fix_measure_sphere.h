@@ -1,12 +1,13 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "files/csv_series.h"
+#include "files/vtk_series.h"
 #include "host/blind_to_velocity.h"
-#include "host/contact_probe.h"
+#include "host/contact_counter.h"
+#include "host/output_files.h"
 #include "host/run_clock.h"
-#include "measure/measuring_sphere.h"
-#include "output/csv_series.h"
-#include "output/vtk_series.h"
+#include "measure/sphere_sampler.h"
 #include "specimen/platens_of_deck.h"
 
 #include <memory>
@@ -23,6 +24,7 @@ class FixMeasureSphere : public LAMMPS_NS::Fix,
                          public BlindToVelocity {
  public:
   static const KeywordTable keywords;
+  static std::vector<TableText> tables();
 
   FixMeasureSphere(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -32,7 +34,7 @@ class FixMeasureSphere : public LAMMPS_NS::Fix,
   void setup(int) override;
   void pre_force(int) override;
   void end_of_step() override;
-  double compute_array(int sphere, int column) override;
+  double compute_array(int sphere, int column) override { return rows_[sphere][column]; }
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
   const VtkSeries* series() const override { return series_.get(); }
@@ -41,27 +43,21 @@ class FixMeasureSphere : public LAMMPS_NS::Fix,
   void add_contact(const Contact& contact) override;
 
  private:
-  static const std::vector<std::string>& columns();  ///< of a row, with units
-  void read_spheres(const Options& options);
-  void place_stack();
-  void clear_sums();
+  void start_sample();
   void take_sample();
-  void warn_of_few_grains();
+  void warn_of_few_grains(const std::vector<SphereRow>& samples);
   void write_row();
   void write_frame();
-  void stop(const std::string& path) const;
 
-  std::vector<MeasuringSphere> spheres_;  ///< those that stand still, then the stack
-  int stack_ = 0;                         ///< number of those in the stack
-  PlatensOfDeck platens_;                 ///< of the stack
+  SphereSampler sampler_;
+  ContactCounter contacts_of_;
+  PlatensOfDeck platens_;  ///< of the stack
 
   long row_every_ = 1, frame_every_ = 1;  ///< steps
   bool setting_up_ = false, warned_ = false, sampled_ = false;
-  std::vector<int> contacts_of_;
-  std::vector<SphereSums> sums_;       ///< of this rank, then of all
-  std::vector<double> largest_force_;  ///< [N]
-  std::vector<std::vector<double>> rows_;
+  std::vector<std::vector<double>> rows_;  ///< of each sphere the last one
 
+  OutputFiles files_;
   CsvSeries file_;
   RunClock clock_;
   std::unique_ptr<VtkSeries> series_;  ///< if VTK files are wanted

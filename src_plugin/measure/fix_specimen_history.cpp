@@ -3,11 +3,14 @@
 #include "core/input_error.h"
 #include "dynamics/fix_motion.h"
 #include "host/find_fix.h"
+#include "host/gravity.h"
 #include "host/rank_sums.h"
-#include "host/stop_run.h"
-#include "output/output_places.h"
+#include "host/restart_block.h"
+#include "host/say_understood.h"
+#include "measure/see_contact.h"
 
-#include <cstring>
+#include <algorithm>
+#include <cmath>
 
 namespace encased_column {
 
@@ -20,10 +23,16 @@ const KeywordTable FixSpecimenHistory::keywords{
     {"reference", 0, "-", "with `fix_modify`: strains, works and losses count from here on"},
 };
 
+std::vector<TableText> FixSpecimenHistory::tables()
+{
+  return {{"history.csv", texts_of(specimen_columns())}};
+}
+
 FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
       platens_(lmp),
       side_(lmp),
+      files_(lmp, *this),
       file_("", {})
 {
   try {
@@ -32,15 +41,14 @@ FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** 
     side_.name("side", options.word("side"), "cylinder or sleeve");
     motion_id_ = options.word("motion");
     nevery = static_cast<int>(options.integer("every", 1, 200));
-    const std::string file = options.word("file", "history.csv");
-    require_writable(lmp, "file", file, file);
-    file_ = CsvSeries(file, columns());
+    file_ = CsvSeries(files_.file(options, "file", "history.csv"), headings_of(specimen_columns()));
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
   restart_global = 1;
   vector_flag = 1;
-  row_.assign(columns().size(), 0.0);
+  row_.assign(specimen_columns().size(), 0.0);
   size_vector = static_cast<int>(row_.size());
   global_freq = 1;
   extvector = 0;
@@ -59,6 +67,7 @@ void FixSpecimenHistory::init()
     platens_.find();
     side_.find();
     motion_ = find_fix<FixMotion>(lmp, "motion", motion_id_, "fix motion");
+    files_.check_host();
     if (nevery % motion_->every() != 0)
       throw InputError("'every' must be a multiple of the 'every' of fix " + motion_id_ +
                        ", found " + std::to_string(nevery) + " and " +
@@ -77,20 +86,32 @@ bool FixSpecimenHistory::wants_contacts(LAMMPS_NS::bigint step) const
 void FixSpecimenHistory::setup_pre_force(int)
 {
   setting_up_ = true;
-  clear_sums();
+  start_sample();
 }
 
 void FixSpecimenHistory::pre_force(int)
 {
   setting_up_ = false;
-  if (wants_contacts(update->ntimestep)) clear_sums();
+  if (wants_contacts(update->ntimestep)) start_sample();
+}
+
+void FixSpecimenHistory::start_sample()
+{
+  contacts_of_.start(atom->nlocal);
+  sums_.start(specimen().window(), side_->axis());
+}
+
+void FixSpecimenHistory::add_contact(const Contact& contact)
+{
+  contacts_of_.add(contact);
+  sums_.add(see_contact(contact, contacts_of_, *atom));
 }
 
 // The first row is the state before the first step. The motion weighed the grains when it was set
 // up itself, perhaps before gravity was.
 void FixSpecimenHistory::setup(int)
 {
-  if (reference_.height != 0.0 && !reference_wanted_) return;
+  if (before_.state.height != 0.0 && !reference_wanted_) return;
   motion_->weigh_equilibrium();
   reference_wanted_ = true;
   take_sample();
@@ -103,14 +124,79 @@ void FixSpecimenHistory::end_of_step()
   write_row();
 }
 
-void FixSpecimenHistory::write_row()
+SpecimenMoment FixSpecimenHistory::now()
 {
-  if (comm->me == 0 && !file_.append(row_)) stop_writing();
+  const SpecimenSums::Numbers& sums = sums_.numbers();
+  return {
+      specimen().state(),
+      {specimen().platens().work(), side_->work(), sums.weight_height,
+       sums.elastic + side_->stored_energy(), sums.kinetic + side_->kinetic_energy(), sums.friction,
+       sums.rolling, sums.dashpots, motion_->damping_loss() + side_->damping_loss()}};
 }
 
-void FixSpecimenHistory::stop_writing() const
+void FixSpecimenHistory::add_grains()
 {
-  stop_from_one_rank(lmp, ("cannot write '" + file_.path() + "', free some space"));
+  const Vec3 gravity = gravity_of(lmp);
+  for (int i = 0; i < atom->nlocal; ++i)
+    sums_.add({as_vec3(atom->x[i]), as_vec3(atom->v[i]), as_vec3(atom->omega[i]), atom->radius[i],
+               atom->rmass[i], motion_->inertial_mass(i), contacts_of_[i]},
+              gravity);
+  SpecimenSums::Numbers& sums = sums_.numbers();
+  sums.friction = contact_losses.friction;
+  sums.rolling = contact_losses.rolling;
+  sums.dashpots = contact_losses.dashpots;
+  sum_over_ranks(sums_.first(), SpecimenSums::count, world);
+}
+
+void FixSpecimenHistory::take_sample()
+{
+  add_grains();
+  check_grains(before_.state.height == 0.0);
+  SpecimenSample sample{};
+  sample.now = now();
+  if (reference_wanted_) before_ = sample.now;
+  reference_wanted_ = false;
+  sample.step = static_cast<double>(update->ntimestep);
+  sample.before = before_;
+  sample.sums = sums_.numbers();
+  sample.closing_speed = specimen().platens().closing_speed();
+  sample.equilibrium = motion_->equilibrium();
+  row_.clear();
+  add_numbers(specimen_columns(), sample, row_);
+}
+
+// A grain that left, or a number that is none, must not pass for a result.
+void FixSpecimenHistory::check_grains(bool is_first)
+{
+  const SpecimenSums::Numbers& sums = sums_.numbers();
+  const std::string at_step = " at step " + std::to_string(update->ntimestep);
+  const auto stop = [this](const std::string& reason) {
+    error->fix_error(FLERR, this, reason.c_str());
+  };
+  if (!std::isfinite(sums.kinetic) || !std::isfinite(sums.elastic))
+    stop("the energy of the grains is not a number" + at_step +
+         ", go back to the last restart file with a smaller step");
+  // The host's own count forgets grains that `thermo_modify lost ignore` lets go.
+  const auto grains = static_cast<LAMMPS_NS::bigint>(sums.grains);
+  most_grains_ = std::max(most_grains_, grains);
+  if (grains < most_grains_)
+    stop("of " + std::to_string(most_grains_) + " grains " + std::to_string(grains) + " are left" +
+         at_step + ", enlarge the box or slow the walls");
+  const double outside = sum_over_ranks(
+      atom->nlocal == 0
+          ? 0.0
+          : specimen().count_outside(atom->x[0], atom->nlocal),
+      world);
+  if (outside > 0.0)
+    stop(std::to_string(static_cast<long>(outside)) + " grains are outside the walls" + at_step +
+         (is_first ? ", where the history begins, which takes all grains of the box for one "
+                     "specimen: delete those that do not belong to it or set the walls about them"
+                   : ", slow the walls or raise the contact modulus"));
+}
+
+void FixSpecimenHistory::write_row()
+{
+  if (comm->me == 0 && !file_.append(row_)) files_.stop(file_.path());
 }
 
 int FixSpecimenHistory::modify_param(int narg, char** arg)
@@ -122,51 +208,39 @@ int FixSpecimenHistory::modify_param(int narg, char** arg)
                        joined({arg, arg + narg}) + "', write 'fix_modify " + id + " reference'");
     reference_wanted_ = true;
     file_.start_anew();
+    say_understood(lmp, *this, options, "fix_modify");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
   return narg;
 }
 
-double FixSpecimenHistory::compute_vector(int n)
-{
-  return row_.at(n);
-}
-
-namespace {
-
-/// In a restart file; the last row follows.
-struct Saved {
-  SpecimenState reference;
-  EnergyAccount start;
-  ContactLosses losses;
-};
-
-}  // namespace
-
+/// What strains and works count from, the losses, the last row.
 void FixSpecimenHistory::write_restart(FILE* file)
 {
   double losses[3] = {contact_losses.friction, contact_losses.rolling, contact_losses.dashpots};
   sum_over_ranks(losses, 3, world);
   if (comm->me != 0) return;
-  const Saved saved{reference_, energy_start_, {losses[0], losses[1], losses[2]}};
-  const int size = static_cast<int>(sizeof(Saved) + row_.size() * sizeof(double));
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(&saved, sizeof(Saved), 1, file);
-  fwrite(row_.data(), sizeof(double), row_.size(), file);
+  std::vector<double> numbers(before_.first(), before_.first() + SpecimenMoment::count);
+  numbers.insert(numbers.end(), losses, losses + 3);
+  numbers.insert(numbers.end(), row_.begin(), row_.end());
+  write_block(file, numbers, "");
 }
 
 // A run may have gone on after its last restart file was written: those rows come again.
 void FixSpecimenHistory::restart(char* buffer)
 {
-  Saved saved;
-  std::memcpy(&saved, buffer, sizeof(Saved));
-  reference_ = saved.reference;
-  energy_start_ = saved.start;
-  std::memcpy(row_.data(), buffer + sizeof(Saved), row_.size() * sizeof(double));
-  if (comm->me != 0) return;
-  contact_losses = saved.losses;
-  if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop_writing();
+  try {
+    RestartBlock block(buffer);
+    block.take(before_.first(), SpecimenMoment::count);
+    const double friction = block.take(), rolling = block.take(), dashpots = block.take();
+    block.take(row_.data(), row_.size());
+    if (comm->me != 0) return;
+    contact_losses = {friction, rolling, dashpots};
+    if (!file_.go_back_to(static_cast<double>(update->ntimestep))) files_.stop(file_.path());
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "host/contact_probe.h"
-#include "measure/energy_account.h"
-#include "output/csv_series.h"
+#include "files/csv_series.h"
+#include "host/contact_counter.h"
+#include "host/output_files.h"
+#include "measure/specimen_columns.h"
 #include "specimen/platens_of_deck.h"
 #include "specimen/specimen.h"
 
@@ -18,6 +19,7 @@ class FixMotion;
 class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public ContactLossOwner {
  public:
   static const KeywordTable keywords;
+  static std::vector<TableText> tables();
 
   FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -28,7 +30,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   void pre_force(int) override;
   void end_of_step() override;
   int modify_param(int narg, char** arg) override;
-  double compute_vector(int n) override;
+  double compute_vector(int n) override { return row_.at(n); }
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
@@ -36,29 +38,12 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   void add_contact(const Contact& contact) override;
 
  private:
-  /// Sums over this rank's grains and contacts, then over the ranks.
-  struct Sums {
-    double grains, solid, shared, inertia, diameter, weight_height, mass;
-    double elastic, kinetic, friction, rolling, dashpots;
-    double core_solid, core_axial, core_radial;
-    double ends, without_contact, with_one_contact;
-  };
-
-  /// Sums of Love-Weber products over the grains in the core [J].
-  struct CoreStress {
-    double axial = 0.0, radial = 0.0;
-  };
-
-  static const std::vector<std::string>& columns();
-  void clear_sums();
-  bool is_in_core(int i) const { return core_heights_.holds(atom->x[i][2]); }
-  void add_to_core(int i, const Vec3& lever, const Vec3& force);
-  Sums sum_up();
-  void check_grains(const Sums& sums);
+  void start_sample();
+  SpecimenMoment now();
+  void add_grains();
+  void check_grains(bool is_first);
   void take_sample();
-  void take_reference();
   void write_row();
-  void stop_writing() const;
 
   Specimen specimen() const { return {platens_.now(), *side_}; }
 
@@ -70,14 +55,11 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   LAMMPS_NS::bigint most_grains_ = 0;  ///< in any sample of this run
   bool setting_up_ = false;
   bool reference_wanted_ = false;
-  std::vector<int> contacts_of_;
-  double shared_volume_ = 0.0, elastic_ = 0.0;
-  HeightWindow core_heights_;  ///< of this sample
-  CoreStress core_;
-
-  SpecimenState reference_, now_;
-  EnergyAccount energy_start_, energy_;
+  ContactCounter contacts_of_;
+  SpecimenSums sums_;
+  SpecimenMoment before_;  ///< what strains, works and losses count from
   std::vector<double> row_;
+  OutputFiles files_;
   CsvSeries file_;
 };
 

@@ -51,15 +51,22 @@ double deviatoric_strain(const Neighbourhood& n)
 
 }  // namespace
 
-std::vector<double> local_deviatoric_strain(const std::vector<MovedGrain>& grains, double range)
+std::vector<double> local_deviatoric_strain(const std::vector<MovedGrain>& grains, double range,
+                                            const PeriodicBox& box)
 {
   const double finest = finest_neighbour * mean_diameter_by_volume(grains);
   std::vector<MovedGrain> coarse;
   std::vector<double> centers;
+  const Vec3 margin = Vec3::Constant(range), from = box.low - margin,
+             to = box.low + box.length + margin;
   for (const MovedGrain& grain : grains) {
     if (grain.diameter < finest) continue;
-    coarse.push_back(grain);
-    centers.insert(centers.end(), grain.position.data(), grain.position.data() + 3);
+    box.for_images(grain.position, from, to, [&](const Vec3& shift) {
+      MovedGrain image = grain;
+      image.position += shift;
+      centers.insert(centers.end(), image.position.data(), image.position.data() + 3);
+      coarse.push_back(image);
+    });
   }
   const double reach = 0.5 * range;  // of each of two, as the grid looks for spheres that touch
   GrainGrid grid;
@@ -69,9 +76,10 @@ std::vector<double> local_deviatoric_strain(const std::vector<MovedGrain>& grain
   std::vector<double> strain;
   for (const MovedGrain& grain : grains) {
     Neighbourhood around;
-    grid.near(grain.position, reach, 0, [&](int j) {
+    const Vec3 position = box.wrapped(grain.position);
+    grid.near(position, reach, 0, [&](int j) {
       const MovedGrain& other = coarse[j];
-      around.add(std::pow(other.diameter, 3), other.position - grain.position,
+      around.add(std::pow(other.diameter, 3), other.position - position,
                  other.displacement - grain.displacement);
     });
     strain.push_back(deviatoric_strain(around));

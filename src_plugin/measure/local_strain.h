@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/periodic_box.h"
 #include "core/vec3.h"
 
 #include <vector>
@@ -29,10 +30,12 @@ constexpr double strain_unknown = -1.0;
 ///
 /// so that it is the axial shortening of a cylinder at constant volume, exact under any rotation.
 /// For small H this is the symmetric part of the displacement gradient; the fit is exact where the
-/// displacement is homogeneous.
+/// displacement is homogeneous. Across a border of `box` that is periodic the images of grains are
+/// neighbours too; its lengths must not have changed since the reference state.
 /// Source: fit as in Falk and Langer, Phys. Rev. E 57 (1998) 7192, with volumes as weights and
 /// without a fixed center.
-std::vector<double> local_deviatoric_strain(const std::vector<MovedGrain>& grains, double range);
+std::vector<double> local_deviatoric_strain(const std::vector<MovedGrain>& grains, double range,
+                                            const PeriodicBox& box = {});
 
 /// Mean diameter by volume [m], sum of d^4 over sum of d^3; 0 without grains.
 double mean_diameter_by_volume(const std::vector<MovedGrain>& grains);

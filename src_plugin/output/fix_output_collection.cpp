@@ -1,10 +1,9 @@
 #include "output/fix_output_collection.h"
 
 #include "core/input_error.h"
+#include "files/atomic_file.h"
 #include "host/find_fix.h"
-#include "host/stop_run.h"
-#include "output/output_places.h"
-#include "output/whole_file.h"
+#include "host/say_understood.h"
 
 #include <filesystem>
 
@@ -18,17 +17,19 @@ const KeywordTable FixOutputCollection::keywords{
 };
 
 FixOutputCollection::FixOutputCollection(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : LAMMPS_NS::Fix(lmp, narg, arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg),
+      files_(lmp, *this)
 {
   try {
     const Options options = keywords.read(narg, arg);
     for (const auto& words : options.all("part")) ids_.push_back(words.front());
-    file_ = options.word("file", "all.pvd");
-    if (fs::path(file_).extension() != ".pvd")
-      throw InputError("'file' must end in .pvd, by which ParaView knows it, found '" + file_ +
+    const std::string file = options.word("file", "all.pvd");
+    if (fs::path(file).extension() != ".pvd")
+      throw InputError("'file' must end in .pvd, by which ParaView knows it, found '" + file +
                        "', write for example 'all.pvd'");
     find_parts();
-    require_writable(lmp, "file", file_, file_);
+    file_ = files_.file(options, "file", "all.pvd");
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -39,6 +40,7 @@ void FixOutputCollection::init()
 {
   try {
     find_parts();
+    files_.check_host();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -73,14 +75,11 @@ void FixOutputCollection::write()
 {
   written_ = listed();
   if (comm->me != 0) return;
-  const fs::path here = fs::absolute(file_).parent_path();
+  const fs::path here = fs::path(file_).parent_path();
   std::vector<PvdPart> parts;
   for (const VtkSeries* part : parts_)
-    parts.push_back({part->name(), fs::proximate(fs::absolute(part->folder()), here).string(),
-                     part->entries()});
-  if (!write_whole_file(file_, pvd_text(parts_together(parts))))
-    stop_from_one_rank(lmp, "fix output/collection cannot write '" + file_ +
-                                "', free some space or mend the folder's rights");
+    parts.push_back({part->name(), fs::proximate(part->folder(), here).string(), part->entries()});
+  if (!write_whole_file(file_, pvd_text(parts_together(parts)))) files_.stop(file_);
 }
 
 }  // namespace encased_column

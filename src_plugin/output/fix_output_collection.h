@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "files/vtk_series.h"
 #include "host/blind_to_velocity.h"
-#include "host/host_types.h"
-#include "output/vtk_series.h"
+#include "host/output_files.h"
 
 #include <string>
 #include <vector>
@@ -27,7 +27,8 @@ class FixOutputCollection : public LAMMPS_NS::Fix, public BlindToVelocity {
   std::size_t listed() const;
   void write();
 
-  std::string file_;
+  OutputFiles files_;
+  std::string file_;  ///< the absolute path
   std::vector<std::string> ids_;
   std::vector<const VtkSeries*> parts_;
   std::size_t written_ = 0;  ///< files listed in it

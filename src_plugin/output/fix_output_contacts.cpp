@@ -1,32 +1,16 @@
 #include "output/fix_output_contacts.h"
 
 #include "core/input_error.h"
-#include "core/read_number.h"
-#include "output/output_places.h"
+#include "host/gather.h"
+#include "host/rank_sums.h"
+#include "host/restart_block.h"
+#include "host/say_understood.h"
 
+#include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace encased_column {
-
-namespace {
-
-/// Of the study's Figure 13 [N].
-const std::vector<double> usual_levels{5.0, 20.0, 40.0, 60.0};
-
-std::vector<std::string> columns_of(const std::vector<double>& levels)
-{
-  std::vector<std::string> columns{
-      "step [-]",          "contacts [-]",        "grain_contacts [-]",
-      "wall_contacts [-]", "sleeve_contacts [-]", "sliding_fraction [-]",
-      "mean_force [N]",    "largest_force [N]"};
-  for (const double level : levels) {
-    columns.push_back("contacts_above_" + in_words(level) + "N [-]");
-    columns.push_back("share_above_" + in_words(level) + "N [-]");
-  }
-  return columns;
-}
-
-}  // namespace
 
 const KeywordTable FixOutputContacts::keywords{
     {"every", 1, "steps", "one VTK file every so many steps"},
@@ -39,8 +23,14 @@ const KeywordTable FixOutputContacts::keywords{
      true},
 };
 
+std::vector<TableText> FixOutputContacts::tables()
+{
+  return {{"contacts.csv", contact_texts()}};
+}
+
 FixOutputContacts::FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
+      files_(lmp, *this),
       clock_(lmp),
       file_("", {})
 {
@@ -50,33 +40,20 @@ FixOutputContacts::FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** ar
     row_every_ = options.integer("rows", 1, 1000);
     nevery = static_cast<int>(std::gcd(frame_every_, row_every_));
     threshold_ = options.not_negative("threshold", 0.0);
-    read_levels(options);
-    const std::string file = options.word("file", "contacts.csv");
-    require_writable(lmp, "file", file, file);
-    file_ = CsvSeries(file, columns_of(forces_.levels()));
-    series_ = series_of(lmp, options, "contacts");
+    forces_ = ContactForces(contact_levels(options));
+    file_ =
+        CsvSeries(files_.file(options, "file", "contacts.csv"), contact_headings(forces_.levels()));
+    series_ = files_.series(options, "contacts");
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  row_.assign(columns_of(forces_.levels()).size(), 0.0);
+  row_.assign(contact_headings(forces_.levels()).size(), 0.0);
   restart_global = 1;
   vector_flag = 1;
   size_vector = static_cast<int>(row_.size());
   global_freq = 1;
   extvector = 0;
-}
-
-void FixOutputContacts::read_levels(const Options& options)
-{
-  std::vector<double> levels;
-  if (options.has("level"))
-    for (const auto& words : options.all("level")) {
-      levels.push_back(read_number("level", words.front()));
-      if (!(levels.back() > 0.0))
-        throw InputError("'level' must be larger than zero, found " + in_words(levels.back()) +
-                         ", write a force in N");
-    }
-  forces_ = ContactForces(levels.empty() ? usual_levels : levels);
 }
 
 int FixOutputContacts::setmask()
@@ -93,6 +70,15 @@ bool FixOutputContacts::wants_contacts(LAMMPS_NS::bigint step) const
 bool FixOutputContacts::wants_frame() const
 {
   return first_forces_ || update->ntimestep % frame_every_ == 0;
+}
+
+void FixOutputContacts::init()
+{
+  try {
+    files_.check_host();
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 void FixOutputContacts::setup_pre_force(int)
@@ -159,6 +145,56 @@ void FixOutputContacts::end_of_step()
 {
   if (update->ntimestep % row_every_ == 0) write_row();
   if (update->ntimestep % frame_every_ == 0) write_frame();
+}
+
+void FixOutputContacts::write_row()
+{
+  sum_over_ranks(forces_.sums().data(), forces_.sums().size(), world);
+  forces_.set_largest(max_over_ranks(forces_.largest(), world));
+  row_ = contact_numbers({static_cast<double>(update->ntimestep), forces_});
+  if (comm->me == 0 && !file_.append(row_)) files_.stop(file_.path());
+}
+
+/// Sorted, so that the file does not depend on the number of ranks; walls of a grain come in the
+/// order of their fixes.
+void FixOutputContacts::write_frame()
+{
+  std::vector<ContactRecord> contacts = gather_on_first_rank(contacts_, lmp);
+  if (comm->me != 0) return;
+  const auto grains = [](const ContactRecord& c) { return std::tie(c.first, c.second); };
+  std::stable_sort(
+      contacts.begin(), contacts.end(),
+      [&](const ContactRecord& a, const ContactRecord& b) { return grains(a) < grains(b); });
+  const long step = static_cast<long>(update->ntimestep);
+  const std::string path = series_->path_of_step(step);
+  if (!write_contacts(path, contacts) || !series_->list(clock_.now(), step)) files_.stop(path);
+}
+
+/// The time, the number of columns and the last row, then the series as text.
+void FixOutputContacts::write_restart(FILE* file)
+{
+  if (comm->me != 0) return;
+  std::vector<double> numbers{clock_.now(), static_cast<double>(row_.size())};
+  numbers.insert(numbers.end(), row_.begin(), row_.end());
+  write_block(file, numbers, series_->saved());
+}
+
+void FixOutputContacts::restart(char* buffer)
+{
+  try {
+    RestartBlock block(buffer);
+    clock_.restart(block.take());
+    std::vector<double> row(static_cast<std::size_t>(block.take()));
+    block.take(row.data(), row.size());
+    if (row.size() == row_.size()) row_ = row;
+    written_ = true;
+    if (comm->me != 0) return;
+    if (!file_.go_back_to(static_cast<double>(update->ntimestep))) files_.stop(file_.path());
+    if (!series_->restore(block.text()))
+      files_.stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "files/csv_series.h"
+#include "files/vtk_contacts_writer.h"
+#include "files/vtk_series.h"
 #include "host/contact_probe.h"
+#include "host/output_files.h"
 #include "host/run_clock.h"
-#include "measure/contact_force.h"
-#include "output/csv_series.h"
-#include "output/vtk_contacts_writer.h"
-#include "output/vtk_series.h"
+#include "output/contact_columns.h"
 
 #include <memory>
 #include <string>
@@ -19,10 +20,12 @@ namespace encased_column {
 class FixOutputContacts : public LAMMPS_NS::Fix, public ContactProbe, public SeriesOwner {
  public:
   static const KeywordTable keywords;
+  static std::vector<TableText> tables();
 
   FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
   int setmask() override;
+  void init() override;
   void setup_pre_force(int) override;
   void setup(int) override;
   void pre_force(int) override;
@@ -36,13 +39,11 @@ class FixOutputContacts : public LAMMPS_NS::Fix, public ContactProbe, public Ser
   const VtkSeries* series() const override { return series_.get(); }
 
  private:
-  void read_levels(const Options& options);
   bool is_seen_elsewhere(const Contact& contact) const;
   bool wants_frame() const;
   void clear_contacts();
   void write_row();
   void write_frame();
-  void stop(const std::string& path) const;
 
   long frame_every_ = 0, row_every_ = 0;
   double threshold_ = 0.0;  ///< of the VTK files [N]
@@ -51,6 +52,7 @@ class FixOutputContacts : public LAMMPS_NS::Fix, public ContactProbe, public Ser
   ContactForces forces_;                 ///< of this rank, then of all
   std::vector<double> row_;
 
+  OutputFiles files_;
   RunClock clock_;
   CsvSeries file_;
   std::unique_ptr<VtkSeries> series_;

@@ -1,25 +1,16 @@
 #include "output/fix_output_grains.h"
 
 #include "core/input_error.h"
+#include "host/box_of_run.h"
 #include "host/gather.h"
-#include "host/stop_run.h"
-#include "measure/local_strain.h"
-#include "output/output_places.h"
-
-#include "memory.h"
+#include "host/restart_block.h"
+#include "host/say_understood.h"
+#include "output/grain_strains.h"
 
 #include <algorithm>
 #include <cstring>
 
 namespace encased_column {
-
-namespace {
-
-/// Neighbours for the strain, where the deck does not say: near enough to see a band some ten
-/// diameters wide, and some tens of load-bearing grains.
-constexpr double usual_range = 1.5;  // mean diameters
-
-}  // namespace
 
 const KeywordTable FixOutputGrains::keywords{
     {"every", 1, "steps", "one file every so many steps"},
@@ -33,6 +24,7 @@ const KeywordTable FixOutputGrains::keywords{
 
 FixOutputGrains::FixOutputGrains(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
+      files_(lmp, *this),
       clock_(lmp)
 {
   try {
@@ -56,8 +48,6 @@ FixOutputGrains::~FixOutputGrains()
 {
   atom->delete_callback(id, 0);
   atom->delete_callback(id, 1);
-  memory->destroy(start_);
-  memory->destroy(rotation_);
 }
 
 void FixOutputGrains::read_keywords(int narg, char** arg)
@@ -68,7 +58,10 @@ void FixOutputGrains::read_keywords(int narg, char** arg)
   options_.rotation = options.choice("rotation", {"yes", "no"}, "yes") == "yes";
   strain_range_ = options.has("strain_range") ? options.not_negative("strain_range", 0.0) : -1.0;
   options_.strain = strain_range_ != 0.0;
-  series_ = series_of(lmp, options, "grains");
+  series_ = files_.series(options, "grains");
+  if (strain_range_ < 0.0)
+    options.assume("strain_range", in_words(usual_strain_range) + " mean diameters");
+  say_understood(lmp, *this, options);
 }
 
 int FixOutputGrains::setmask()
@@ -80,6 +73,16 @@ int FixOutputGrains::setmask()
 void FixOutputGrains::init()
 {
   asked_step_ = -1;  // forces are computed again for the same step
+  try {
+    for (int n = 0; n < modify->nfix; ++n)
+      if (options_.strain && modify->fix[n]->box_change_size && box_of(lmp).is_periodic())
+        throw InputError("'strain_range' must be 0 in a periodic box whose size changes, found '" +
+                         std::string("fix ") + modify->fix[n]->id + "' of style " +
+                         modify->fix[n]->style + ", write 'strain_range 0'");
+    files_.check_host();
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 void FixOutputGrains::setup(int)
@@ -91,11 +94,7 @@ void FixOutputGrains::setup(int)
 // The spin in the middle of the step turns a grain from its begin to its end.
 void FixOutputGrains::post_integrate()
 {
-  if (atom->nlocal == 0) return;
-  const double dt = update->dt;
-  const double* const __restrict spin = atom->omega[0];
-  double* const __restrict rotation = rotation_[0];
-  for (int k = 0; k < 3 * atom->nlocal; ++k) rotation[k] += spin[k] * dt;
+  if (atom->nlocal > 0) track_.turn(atom->nlocal, atom->omega[0], update->dt);
 }
 
 int FixOutputGrains::modify_param(int narg, char** arg)
@@ -122,22 +121,14 @@ bool FixOutputGrains::wants_contacts(LAMMPS_NS::bigint step) const
   if (written_ && step % nevery != 0 && step != update->laststep) return false;
   if (asked_step_ != step) {
     asked_step_ = step;
-    contacts_.assign(atom->nlocal, 0);
+    contacts_of_.start(atom->nlocal);
   }
   return true;
 }
 
-// A pair across a border of ranks is seen on both, each time with its own grain as i.
-void FixOutputGrains::add_contact(const Contact& contact)
-{
-  ++contacts_[contact.i];
-  if (contact.j >= 0 && contact.j < atom->nlocal) ++contacts_[contact.j];
-}
-
 bool FixOutputGrains::contacts_are_counted() const
 {
-  return asked_step_ == update->ntimestep &&
-         contacts_.size() == static_cast<std::size_t>(atom->nlocal);
+  return asked_step_ == update->ntimestep && contacts_of_.grains() == atom->nlocal;
 }
 
 GrainRecord FixOutputGrains::record_of(int i) const
@@ -145,14 +136,14 @@ GrainRecord FixOutputGrains::record_of(int i) const
   GrainRecord grain{};
   grain.id = atom->tag[i];
   grain.type = atom->type[i];
-  grain.coordination_number = contacts_are_counted() ? contacts_[i] : -1;
+  grain.coordination_number = contacts_are_counted() ? contacts_of_[i] : -1;
   grain.radius = atom->radius[i];
   double unwrapped[3];
   domain->unmap(atom->x[i], atom->image[i], unwrapped);
   for (int k = 0; k < 3; ++k) {
     grain.position[k] = atom->x[i][k];
-    grain.displacement[k] = unwrapped[k] - start_[i][k];
-    grain.rotation[k] = rotation_[i][k];
+    grain.displacement[k] = unwrapped[k] - track_.start(i)[k];
+    grain.rotation[k] = track_.rotation(i)[k];
     grain.velocity[k] = atom->v[i][k];
   }
   return grain;
@@ -171,37 +162,60 @@ std::vector<GrainRecord> FixOutputGrains::grains_of_all_ranks() const
   return all;
 }
 
-/// From the records, where displacements start: on the first rank alone, so that the strain does
-/// not depend on the number of ranks.
-void FixOutputGrains::find_strains(std::vector<GrainRecord>& grains) const
-{
-  std::vector<MovedGrain> moved;
-  for (const GrainRecord& grain : grains) {
-    const Vec3 displacement = as_vec3(grain.displacement.data());
-    moved.push_back(
-        {as_vec3(grain.position.data()) - displacement, displacement, 2.0 * grain.radius});
-  }
-  const double range =
-      strain_range_ > 0.0 ? strain_range_ : usual_range * mean_diameter_by_volume(moved);
-  const std::vector<double> strain = local_deviatoric_strain(moved, range);
-  for (std::size_t n = 0; n < grains.size(); ++n) grains[n].deviatoric_strain = strain[n];
-}
-
 void FixOutputGrains::write()
 {
   written_ = true;
   std::vector<GrainRecord> grains = grains_of_all_ranks();
   if (comm->me != 0) return;
-  if (options_.strain) find_strains(grains);
+  // On the first rank alone, so that the strain does not depend on the number of ranks.
+  if (options_.strain) find_strains(grains, strain_range_, box_of(lmp));
   const long step = static_cast<long>(update->ntimestep);
   const std::string path = series_->path_of_step(step);
-  if (!write_grains(path, grains, options_) || !series_->list(clock_.now(), step)) stop(path);
+  if (!write_grains(path, grains, options_) || !series_->list(clock_.now(), step))
+    files_.stop(path);
 }
 
-void FixOutputGrains::stop(const std::string& path) const
+/// A new grain, and every grain on `reset`, starts where it is. The host calls with -1 on a rank
+/// that got none of the grains of `read_data`.
+void FixOutputGrains::set_arrays(int i)
 {
-  stop_from_one_rank(lmp, "fix output/grains cannot write '" + path +
-                              "', free some space or mend the folder's rights");
+  if (i < 0) return;
+  double unwrapped[3];
+  domain->unmap(atom->x[i], atom->image[i], unwrapped);
+  track_.begin(i, unwrapped);
+}
+
+int FixOutputGrains::pack_restart(int i, double* buffer)
+{
+  buffer[0] = size_restart(i);
+  return 1 + track_.pack(i, buffer + 1);
+}
+
+/// The data of all fixes lie one behind the other, each led by its length.
+void FixOutputGrains::unpack_restart(int i, int nth)
+{
+  double* values = atom->extra[i];
+  for (int fix = 0; fix < nth; ++fix) values += static_cast<int>(values[0]);
+  track_.unpack(i, values + 1);
+}
+
+/// The time, then the series.
+void FixOutputGrains::write_restart(FILE* file)
+{
+  if (comm->me == 0) write_block(file, {clock_.now()}, series_->saved());
+}
+
+void FixOutputGrains::restart(char* buffer)
+{
+  try {
+    RestartBlock block(buffer);
+    clock_.restart(block.take());
+    written_ = *block.text() != '\0';
+    if (comm->me == 0 && !series_->restore(block.text()))
+      files_.stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "host/contact_probe.h"
+#include "files/vtk_grains_writer.h"
+#include "files/vtk_series.h"
+#include "host/contact_counter.h"
+#include "host/output_files.h"
 #include "host/run_clock.h"
-#include "output/vtk_grains_writer.h"
-#include "output/vtk_series.h"
+#include "output/grain_track.h"
 
 #include <memory>
 #include <string>
@@ -28,45 +30,40 @@ class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe, public Serie
   int modify_param(int narg, char** arg) override;
 
   bool wants_contacts(LAMMPS_NS::bigint step) const override;
-  void add_contact(const Contact& contact) override;
+  void add_contact(const Contact& contact) override { contacts_of_.add(contact); }
 
-  void grow_arrays(int capacity) override;
-  void copy_arrays(int from, int to, int) override;
+  void grow_arrays(int capacity) override { track_.grow(capacity); }
+  void copy_arrays(int from, int to, int) override { track_.copy(from, to); }
   void set_arrays(int i) override;
-  int pack_exchange(int i, double* buffer) override;
-  int unpack_exchange(int i, double* buffer) override;
+  int pack_exchange(int i, double* buffer) override { return track_.pack(i, buffer); }
+  int unpack_exchange(int i, double* buffer) override { return track_.unpack(i, buffer); }
   int pack_restart(int i, double* buffer) override;
   void unpack_restart(int i, int nth) override;
-  int size_restart(int) override { return 1 + values_per_grain; }
-  int maxsize_restart() override { return 1 + values_per_grain; }
+  int size_restart(int) override { return 1 + GrainTrack::values_per_grain; }
+  int maxsize_restart() override { return 1 + GrainTrack::values_per_grain; }
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
   const VtkSeries* series() const override { return series_.get(); }
-  double memory_usage() override;
+  double memory_usage() override { return track_.bytes(); }
 
  private:
-  static constexpr int values_per_grain = 6;  ///< of the two arrays below
-
   void read_keywords(int narg, char** arg);
   bool contacts_are_counted() const;
   GrainRecord record_of(int i) const;
   std::vector<GrainRecord> grains_of_all_ranks() const;
-  void find_strains(std::vector<GrainRecord>& grains) const;
-  void stop(const std::string& path) const;
   void write();
 
   GrainFileOptions options_;
   double strain_range_ = 0.0;  ///< of neighbours [m], smaller than zero: by the grains' diameter
+  OutputFiles files_;
   RunClock clock_;
   std::unique_ptr<VtkSeries> series_;  ///< used on the first rank only
 
-  // Apart: the rotation is added to in every step.
-  double** start_ = nullptr;     ///< [grain][3], where displacement starts [m]
-  double** rotation_ = nullptr;  ///< [grain][3], so far [rad]
-  bool written_ = false;         ///< since the fix was made
+  GrainTrack track_;
+  bool written_ = false;  ///< since the fix was made
   // Set where the contact law asks, once per step and before the first contact of it.
   mutable LAMMPS_NS::bigint asked_step_ = -1;
-  mutable std::vector<int> contacts_;  ///< of each grain of this rank
+  mutable ContactCounter contacts_of_;
 };
 
 }  // namespace encased_column

@@ -1,11 +1,10 @@
 #include "output/fix_output_restart.h"
 
 #include "core/input_error.h"
+#include "files/atomic_file.h"
 #include "host/rank_sums.h"
-#include "host/stop_run.h"
-#include "output/output_places.h"
+#include "host/say_understood.h"
 #include "output/restart_seal.h"
-#include "output/whole_file.h"
 
 #include "signal_handling.h"
 #include "write_restart.h"
@@ -37,13 +36,14 @@ bool is_on_disk(const std::string& path)
 }  // namespace
 
 FixOutputRestart::FixOutputRestart(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : LAMMPS_NS::Fix(lmp, narg, arg)
+    : LAMMPS_NS::Fix(lmp, narg, arg),
+      files_(lmp, *this)
 {
   try {
     const Options options = keywords.read(narg, arg);
     nevery = static_cast<int>(options.integer("every", 1));
-    file_ = options.word("file");
-    require_writable(lmp, "file", file_, unfinished(file_));
+    file_ = files_.file(options, "file", "", unfinished(""));
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -60,6 +60,7 @@ void FixOutputRestart::init()
 {
   try {
     check_order();
+    files_.check_host();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -127,8 +128,7 @@ void FixOutputRestart::write()
   LAMMPS_NS::WriteRestart(lmp).write(part.data());
   written_step_ = update->ntimestep;
   if (comm->me == 0 && !(seal_file(part) && is_on_disk(part) && finish_file(file_)))
-    stop_from_one_rank(lmp, ("fix output/restart cannot write '" + file_ +
-                             "', free some space or mend the folder's rights"));
+    files_.stop(file_);
 }
 
 }  // namespace encased_column

@@ -2,7 +2,7 @@
 
 #include "core/keyword_table.h"
 #include "host/blind_to_velocity.h"
-#include "host/host_types.h"
+#include "host/output_files.h"
 
 #include <string>
 
@@ -28,7 +28,8 @@ class FixOutputRestart : public LAMMPS_NS::Fix, public BlindToVelocity {
   bool is_old() const;
   void write();
 
-  std::string file_;
+  OutputFiles files_;
+  std::string file_;  ///< the absolute path
   LAMMPS_NS::bigint written_step_ = -1;
 };
 

@@ -3,8 +3,8 @@
 #include "core/input_error.h"
 #include "host/find_fix.h"
 #include "host/restart_block.h"
-#include "host/stop_run.h"
-#include "output/output_places.h"
+#include "host/say_understood.h"
+#include "output/sleeve_columns.h"
 #include "output/vtk_sleeve_writer.h"
 #include "shell/fix_mesh_surface_shell.h"
 
@@ -22,8 +22,14 @@ const KeywordTable FixOutputSleeve::keywords{
     {"curves", 1, "-", "CSV file of the curves (default sleeve.csv)"},
 };
 
+std::vector<TableText> FixOutputSleeve::tables()
+{
+  return {{"profile.csv", texts_of(profile_columns())}, {"sleeve.csv", texts_of(sleeve_columns())}};
+}
+
 FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : LAMMPS_NS::Fix(lmp, narg, arg),
+      files_(lmp, *this),
       clock_(lmp),
       profile_("", {}),
       curves_("", {})
@@ -34,15 +40,12 @@ FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     frame_every_ = options.integer("every", 1);
     row_every_ = options.integer("rows", 1, 200);
     nevery = static_cast<int>(std::gcd(frame_every_, row_every_));
-    profile_ = CsvSeries(options.word("profile", "profile.csv"),
-                         {"step [-]", "axial_strain [-]", "z [m]", "radius [m]",
-                          "radial_displacement [m]", "hoop_strain [-]", "hoop_tension [N/m]"});
-    curves_ = CsvSeries(options.word("curves", "sleeve.csv"),
-                        {"step [-]", "axial_strain [-]", "pressure [Pa]", "hoop_tension_mean [N/m]",
-                         "hoop_tension_max [N/m]", "hoop_strain_mean [-]", "hoop_strain_max [-]",
-                         "axial_force_top_end [N]", "axial_force_bottom_end [N]",
-                         "friction_force [N]", "enclosed_volume [m^3]", "energy [J]"});
-    series_ = series_of(lmp, options, "sleeve");
+    profile_ =
+        CsvSeries(files_.file(options, "profile", "profile.csv"), headings_of(profile_columns()));
+    curves_ =
+        CsvSeries(files_.file(options, "curves", "sleeve.csv"), headings_of(sleeve_columns()));
+    series_ = files_.series(options, "sleeve");
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -53,6 +56,7 @@ void FixOutputSleeve::init()
 {
   try {
     sleeve_ = find_fix<FixMeshSurfaceShell>(lmp, "sleeve", sleeve_id_, "fix mesh/surface/shell");
+    files_.check_host();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -83,44 +87,34 @@ double FixOutputSleeve::height() const
 
 void FixOutputSleeve::write_curves()
 {
-  const SleeveSummary s = sleeve_->summary();
   const HeightWindow window = sleeve_->window();
-  const std::vector<double> row{static_cast<double>(update->ntimestep),
-                                axial_strain(),
-                                sleeve_->pressure_now(),
-                                s.hoop_tension,
-                                s.hoop_tension_max,
-                                s.hoop_strain,
-                                s.hoop_strain_max,
-                                sleeve_->axial_force(true),
-                                sleeve_->axial_force(false),
-                                sleeve_->friction_force(),
-                                sleeve_->enclosed_volume(window.low, window.high),
-                                sleeve_->stored_energy()};
-  if (comm->me == 0 && !curves_.append(row)) stop(curves_.path());
+  const SleeveCurves now{static_cast<double>(update->ntimestep),
+                         axial_strain(),
+                         sleeve_->pressure_now(),
+                         sleeve_->summary(),
+                         sleeve_->axial_force(true),
+                         sleeve_->axial_force(false),
+                         sleeve_->friction_force(),
+                         sleeve_->enclosed_volume(window.low, window.high),
+                         sleeve_->stored_energy()};
+  std::vector<double> row;
+  add_numbers(sleeve_columns(), now, row);
+  if (comm->me == 0 && !curves_.append(row)) files_.stop(curves_.path());
 }
 
 void FixOutputSleeve::write_frame()
 {
   if (comm->me != 0) return;
   std::vector<double> rows;
-  for (const ProfilePoint& p : rings_->profile(sleeve_->model(), before_, sleeve_->axis()))
-    for (const double number :
-         {static_cast<double>(update->ntimestep), axial_strain(), p.z, p.radius,
-          p.radius - p.before, (p.radius - p.before) / p.before, p.hoop_tension})
-      rows.push_back(number);
-  if (!profile_.append(rows)) stop(profile_.path());
+  for (const ProfilePoint& point : rings_->profile(sleeve_->model(), before_, sleeve_->axis()))
+    add_numbers(profile_columns(), {static_cast<double>(update->ntimestep), axial_strain(), point},
+                rows);
+  if (!profile_.append(rows)) files_.stop(profile_.path());
   const long step = static_cast<long>(update->ntimestep);
   const std::string path = series_->path_of_step(step);
   if (!write_sleeve(path, sleeve_->model(), before_, sleeve_->axis()) ||
       !series_->list(clock_.now(), step))
-    stop(path);
-}
-
-void FixOutputSleeve::stop(const std::string& path) const
-{
-  stop_from_one_rank(lmp, ("fix output/sleeve cannot write '" + path +
-                           "', free some space or mend the folder's rights"));
+    files_.stop(path);
 }
 
 /// Time and height, the positions compared with, then the series as text.
@@ -142,10 +136,10 @@ void FixOutputSleeve::restart(char* buffer)
     for (Vec3& node : before_) block.take(node.data(), 3);
     if (comm->me != 0) return;
     if (!series_->restore(block.text()))
-      stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
+      files_.stop(series_->path_of_step(static_cast<long>(update->ntimestep)));
     const double step = static_cast<double>(update->ntimestep);
-    if (!profile_.go_back_to(step)) stop(profile_.path());
-    if (!curves_.go_back_to(step)) stop(curves_.path());
+    if (!profile_.go_back_to(step)) files_.stop(profile_.path());
+    if (!curves_.go_back_to(step)) files_.stop(curves_.path());
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

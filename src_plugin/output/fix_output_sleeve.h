@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "files/column.h"
+#include "files/csv_series.h"
+#include "files/vtk_series.h"
 #include "host/blind_to_velocity.h"
+#include "host/output_files.h"
 #include "host/run_clock.h"
-#include "output/csv_series.h"
-#include "output/vtk_series.h"
 #include "shell/sleeve_profile.h"
 
 #include <memory>
@@ -21,6 +23,7 @@ class FixMeshSurfaceShell;
 class FixOutputSleeve : public LAMMPS_NS::Fix, public SeriesOwner, public BlindToVelocity {
  public:
   static const KeywordTable keywords;
+  static std::vector<TableText> tables();
 
   FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -37,11 +40,11 @@ class FixOutputSleeve : public LAMMPS_NS::Fix, public SeriesOwner, public BlindT
   double axial_strain() const { return 1.0 - height() / height_before_; }
   void write_curves();
   void write_frame();
-  void stop(const std::string& path) const;
 
   std::string sleeve_id_;
   FixMeshSurfaceShell* sleeve_ = nullptr;
   long frame_every_ = 0, row_every_ = 0;
+  OutputFiles files_;
   RunClock clock_;
   std::unique_ptr<VtkSeries> series_;
   CsvSeries profile_, curves_;

@@ -1,6 +1,6 @@
 #include "output/vtk_sleeve_writer.h"
 
-#include "output/vtk_file.h"
+#include "files/vtk_file.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -1,6 +1,7 @@
 #include "packing/create_packing_command.h"
 
 #include "core/input_error.h"
+#include "host/output_files.h"
 #include "packing/draw_diameters.h"
 #include "packing/gradation_file.h"
 #include "packing/grain_volume.h"
@@ -46,6 +47,8 @@ void CreatePackingCommand::command(int narg, char** arg)
         class_distribution(options.word("distribution", "log_uniform"));
     const double finest = options.not_negative("finest", 0.0);
     check_host(cylinder, type);
+    OutputFiles files(lmp, "create_packing");
+    const std::string report_file = options.has("report") ? files.file(options, "report", "") : "";
 
     std::istringstream table(read_file(options.word("gradation")));
     const Gradation gradation =
@@ -57,7 +60,7 @@ void CreatePackingCommand::command(int narg, char** arg)
     // Sizes and places must not share one sequence of random numbers.
     const std::vector<Vec3> centers = place_spheres(radii, cylinder, ~seed);
 
-    report(gradation, diameters, cylinder.volume(), options.word("report", ""));
+    report(gradation, diameters, cylinder.volume(), report_file);
     create_atoms(centers, radii, static_cast<int>(type), density);
     check_created(centers.size());
   } catch (const InputError& problem) {

@@ -2,9 +2,9 @@
 
 #include "core/input_error.h"
 #include "host/rank_sums.h"
+#include "host/restart_block.h"
+#include "host/say_understood.h"
 #include "packing/growth_law.h"
-
-#include <cstring>
 
 namespace encased_column {
 
@@ -24,6 +24,7 @@ FixGrowRadius::FixGrowRadius(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     start_ = options.between("from", 0.01, 1.0);
     stages_ = options.integer("stages", 1, 100);
     steps_per_stage_ = options.integer("relax", 1, 50);
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -73,20 +74,19 @@ double FixGrowRadius::min_rad(int)
 
 void FixGrowRadius::write_restart(FILE* file)
 {
-  if (comm->me != 0) return;
-  const double saved[2] = {factor_, static_cast<double>(begin_)};
-  const int size = sizeof(saved);
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(saved, sizeof(saved), 1, file);
+  if (comm->me == 0) write_block(file, {factor_, static_cast<double>(begin_)});
 }
 
 void FixGrowRadius::restart(char* buffer)
 {
-  double saved[2];
-  std::memcpy(saved, buffer, sizeof(saved));
-  factor_ = saved[0];
-  begin_ = static_cast<LAMMPS_NS::bigint>(saved[1]);
-  next_reneighbor = begin_ + 1;
+  try {
+    RestartBlock block(buffer);
+    factor_ = block.take();
+    begin_ = static_cast<LAMMPS_NS::bigint>(block.take());
+    next_reneighbor = begin_ + 1;
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
 }
 
 }  // namespace encased_column

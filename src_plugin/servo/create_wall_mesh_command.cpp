@@ -1,6 +1,7 @@
 #include "servo/create_wall_mesh_command.h"
 
 #include "core/input_error.h"
+#include "host/output_files.h"
 #include "servo/wall_mesh.h"
 
 #include <vtkCellArray.h>
@@ -81,8 +82,10 @@ void CreateWallMeshCommand::command(int narg, char** arg)
     const std::string file = options.word("file");
     const bool binary = options.choice("format", {"ascii", "binary"}, "ascii") == "binary";
     const SurfaceMesh mesh = mesh_of(options);
+    OutputFiles files(lmp, "create_wall_mesh");
+    const std::string path = files.claim("file", file);
 
-    int written = comm->me != 0 || write_stl(mesh, file, binary);
+    int written = comm->me != 0 || write_stl(mesh, path, binary);
     // also the barrier behind which every rank may read the file
     MPI_Bcast(&written, 1, MPI_INT, 0, world);
     if (!written)

@@ -1,6 +1,7 @@
 #include "servo/fix_servo_cylinder.h"
 
 #include "core/read_number.h"
+#include "host/box_of_run.h"
 
 namespace encased_column {
 
@@ -25,10 +26,17 @@ FixServoCylinder::FixServoCylinder(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
       cylinder_.x = read_number("axis", axis[0]);
       cylinder_.y = read_number("axis", axis[1]);
     }
+    options.assume("axis", "0 0");
     read_wall(options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
+}
+
+void FixServoCylinder::find_partners()
+{
+  require_open_box(lmp, "servo/cylinder", "xy");
+  platens_.find();
 }
 
 // Before the first run, and when a platen was taken away, there is no area.

@@ -31,7 +31,7 @@ class FixServoCylinder : public RigidWall, public LateralBoundary {
   }
 
  protected:
-  void find_partners() override { platens_.find(); }
+  void find_partners() override;
   bool has_partners() const override { return platens_.are_there(); }
   double loaded_area() const override;
   double mean_radius() const override { return cylinder_.radius; }

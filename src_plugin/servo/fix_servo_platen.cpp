@@ -1,5 +1,7 @@
 #include "servo/fix_servo_platen.h"
 
+#include "host/box_of_run.h"
+
 namespace encased_column {
 
 const KeywordTable FixServoPlaten::keywords{
@@ -33,6 +35,7 @@ FixServoPlaten::FixServoPlaten(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 
 void FixServoPlaten::find_partners()
 {
+  require_open_box(lmp, "servo/platen", "z");
   if (side_.is_named()) side_.find();
 }
 

@@ -2,6 +2,7 @@
 
 #include "host/rank_sums.h"
 #include "host/restart_block.h"
+#include "host/say_understood.h"
 
 #include "pair_gran.h"
 
@@ -31,6 +32,8 @@ void RigidWall::read_wall(const Options& options)
                        ", write a smaller one or make room in 'create_box'");
   }
   motion_.read(options, update->ntimestep, stress_now());
+  options.assume("type", std::to_string(wall_type_));
+  say_understood(lmp, *this, options, on_fix_line ? "fix" : "fix_modify");
 }
 
 // A wall that comes from a restart file feels nothing before its set-up: until then, the file

@@ -43,9 +43,14 @@ void WallMotion::read(const Options& options, long step, double stress_now)
     mode_ = Mode::servo;
     memory_ = ServoMemory();
     steps_at_limit_ = 0;
-    ramp_.start_from(stress_now, options.not_negative("servo", 0.0), options.integer("ramp", 1, 0),
-                     step);
+    const long ramp = options.has("ramp") ? options.integer("ramp", 1) : 0;
+    ramp_.start_from(stress_now, options.not_negative("servo", 0.0), ramp, step);
   }
+  // What goes on from before.
+  if (mode_ == Mode::hold) options.assume("hold", "");
+  if (mode_ == Mode::velocity) options.assume("velocity", velocity_);
+  if (mode_ == Mode::servo) options.assume("servo", ramp_.target());
+  if (speed_limit_ > 0.0) options.assume("speed_limit", speed_limit_);
 }
 
 double WallMotion::speed(long step, double dt, const WallLoad& load, double area,

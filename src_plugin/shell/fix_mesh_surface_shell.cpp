@@ -1,5 +1,6 @@
 #include "shell/fix_mesh_surface_shell.h"
 
+#include "host/box_of_run.h"
 #include "host/grain_arrays.h"
 #include "host/restart_block.h"
 #include "host/stop_run.h"
@@ -77,6 +78,7 @@ void FixMeshSurfaceShell::init()
   auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
+    require_open_box(lmp, "mesh/surface/shell", "xy");
     desk_.open(rolling_);
     platens_.find();
   } catch (const InputError& problem) {

@@ -1,7 +1,7 @@
 #include "shell/sleeve_input.h"
 
+#include "files/mesh_file.h"
 #include "shell/cylinder_mesh.h"
-#include "shell/mesh_file.h"
 
 namespace encased_column {
 
@@ -61,7 +61,7 @@ SurfaceMesh read_sleeve_mesh(const Options& options)
   if (options.has("file") && options.has("edge"))
     throw InputError(
         "'edge' goes with 'cylinder', found it with 'file', whose facets are given, leave it out");
-  if (options.has("file")) return read_mesh_file(options.word("file"));
+  if (options.has("file")) return welded(read_mesh_file(options.word("file")));
   const Vec3 size = options.vector("cylinder");
   return cylinder_mesh(TubeShape{size(0), size(1), size(2) - size(1), options.positive("edge")});
 }

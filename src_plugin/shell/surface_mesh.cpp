@@ -82,6 +82,17 @@ SurfaceMesh welded(const std::vector<std::array<Vec3, 3>>& triangle, double tole
   return mesh;
 }
 
+SurfaceMesh welded(const std::vector<std::array<Vec3, 3>>& triangle)
+{
+  Vec3 low = triangle.front().front(), high = low;
+  for (const auto& corners : triangle)
+    for (const Vec3& corner : corners) {
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+  return welded(triangle, 1e-6 * (high - low).maxCoeff());
+}
+
 std::vector<std::vector<int>> border_loops(const SurfaceMesh& mesh)
 {
   require_sound_facets(mesh);

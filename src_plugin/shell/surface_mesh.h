@@ -9,6 +9,9 @@ namespace encased_column {
 /// first appearance.
 SurfaceMesh welded(const std::vector<std::array<Vec3, 3>>& triangle, double tolerance);
 
+/// The same with a tolerance of a millionth of the extent: for corners of single precision.
+SurfaceMesh welded(const std::vector<std::array<Vec3, 3>>& triangle);
+
 /// Closed chains of border edges (edges with one facet only), each as its node numbers in order.
 /// Throws InputError if an edge has more than two facets, if neighbours disagree on their
 /// orientation (one of them is inverted), if a facet names a node twice or has no area, or if a

@@ -89,8 +89,8 @@ TEST(Packing, RefusesAFileThatIsNotThere)
 TEST(Packing, RefusesAReportThatCannotBeWritten)
 {
   expect_refused("empty_cylinder", packing(one_class, "porosity 0.4 report no_folder/report.csv"),
-                 "'report' must name a file that can be written, found 'no_folder/report.csv', "
-                 "make its folder first");
+                 "'report' must be a file that can be written, found 'no_folder/report.csv', "
+                 "create its folder or give another name");
 }
 
 TEST(Growth, RefusesAStartBeyondTheFullRadius)

@@ -23,18 +23,30 @@ std::vector<fs::path> all_pages()
   return pages;
 }
 
-/// "fix NAME" or "NAME" of a command, and the rows of its keyword table.
-const std::map<std::string, std::vector<std::string>>& styles_of_the_program()
+/// What the program says of a style: the rows of its keyword table, and those of the tables it
+/// writes, one after the other.
+struct StyleTables {
+  std::vector<std::string> keywords, columns;
+};
+
+/// By "fix NAME", or "NAME" of a command.
+const std::map<std::string, StyleTables>& styles_of_the_program()
 {
   static const auto styles = [] {
-    std::map<std::string, std::vector<std::string>> found;
+    std::map<std::string, StyleTables> found;
     std::string style;
+    bool in_table = false;
     for (const std::string& line : run_program({ENCASE_PROGRAM, "-styles"}, "/").lines()) {
       const std::string command = "command ";
-      if (line.rfind("|", 0) == 0)
-        found[style].push_back(table_row(line));
-      else if (!line.empty())
+      if (line.rfind("|", 0) == 0) {
+        StyleTables& tables = found[style];
+        (in_table ? tables.columns : tables.keywords).push_back(table_row(line));
+      } else if (line.rfind("table ", 0) == 0) {
+        in_table = true;
+      } else if (!line.empty()) {
+        in_table = false;
         found[style = line.rfind(command, 0) == 0 ? line.substr(command.size()) : line];
+      }
     }
     return found;
   }();
@@ -86,14 +98,16 @@ class Page : public ::testing::TestWithParam<fs::path> {};
 
 }  // namespace
 
-TEST_P(Page, ListsTheKeywordsOfTheProgram)
+TEST_P(Page, ListsTheKeywordsAndColumnsOfTheProgram)
 {
   const UserPage page = read_page(GetParam());
   const auto style = styles_of_the_program().find(page.title);
-  if (style != styles_of_the_program().end())
-    EXPECT_EQ(page.keywords, style->second) << "on the page and in the program";
-  else
+  if (style != styles_of_the_program().end()) {
+    EXPECT_EQ(page.keywords, style->second.keywords) << "on the page and in the program";
+    EXPECT_EQ(page.columns, style->second.columns) << "on the page and in the program";
+  } else {
     EXPECT_NE(page.title.rfind("fix ", 0), 0u) << "no such style in the program";
+  }
 }
 
 TEST_P(Page, HasExamplesThatRunAndMistakesThatAreRefused)
@@ -114,7 +128,7 @@ TEST(Pages, ThereIsOneForEveryStyle)
 {
   std::vector<std::string> titles;
   for (const fs::path& page : all_pages()) titles.push_back(read_page(page).title);
-  for (const auto& [style, keywords] : styles_of_the_program())
+  for (const auto& [style, tables] : styles_of_the_program())
     EXPECT_EQ(std::count(titles.begin(), titles.end(), style), 1)
         << "pages titled '# " << style << "'";
 }

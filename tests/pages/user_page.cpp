@@ -97,14 +97,17 @@ UserPage read_page(const std::filesystem::path& file)
 {
   UserPage page;
   Reader reader(file);
-  bool in_keywords = false;
+  bool in_keywords = false, in_columns = false;
   for (std::string line; reader.next(line);) {
     if (page.title.empty() && line.rfind("# ", 0) == 0) page.title = trimmed(line.substr(2));
     if (line.rfind(fence, 0) == 0) add_block(trimmed(line.substr(fence.size())), reader, page);
     const bool in_table = line.rfind("|", 0) == 0;
     if (in_table && table_row(line) == "keyword | values | unit | meaning") in_keywords = true;
     if (in_keywords && line.rfind("| `", 0) == 0) page.keywords.push_back(table_row(line));
+    if (in_table && table_row(line) == "column | unit | meaning") in_columns = true;
+    if (in_columns && line.rfind("| `", 0) == 0) page.columns.push_back(table_row(line));
     in_keywords = in_keywords && in_table;
+    in_columns = in_columns && in_table;
   }
   if (page.title.empty()) reader.refuse("no title line '# ...'");
   if (!page.examples.empty() && page.examples.back().output.empty())

@@ -20,6 +20,8 @@ struct UserPage {
   std::string title;
   /// Keyword tables, a row as "`name` | values | unit | meaning".
   std::vector<std::string> keywords;
+  /// Tables of columns, one after the other, a row as "`name` | unit | meaning".
+  std::vector<std::string> columns;
   std::vector<Example> examples;
 };
 

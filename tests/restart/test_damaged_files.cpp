@@ -1,6 +1,6 @@
 // A restart file that is cut off, or no restart file, is refused with a sentence; one that is whole
 // is read, whoever wrote it.
-#include "restart/restart_file.h"
+#include "files/restart_file.h"
 
 #include "core/input_error.h"
 #include "input_errors/refusal.h"

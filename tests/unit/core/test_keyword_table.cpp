@@ -174,3 +174,35 @@ TEST(Options, TakeTheLimitsOfARangeThemselves)
   EXPECT_EQ(options.between("radius", 0.1, 0.8), 0.8);
   EXPECT_EQ(table.read(std::vector<std::string>{"every", "3"}).integer("every", 3), 3);
 }
+
+TEST(Options, SayWhatTheyUnderstoodWithDefaultsInTheOrderOfTheTable)
+{
+  const Options options = table.read(
+      std::vector<std::string>{"hold", "class", "1", "2", "radius", "7e-1", "class", "3", "4"});
+  EXPECT_EQ(options.understood(), "radius 7e-1, class 1 2, class 3 4, hold");
+  EXPECT_EQ(options.integer("every", 1, 50), 50);
+  EXPECT_EQ(options.choice("mode", {"slow", "fast"}, "slow"), "slow");
+  EXPECT_EQ(options.positive("radius", 3.0), 0.7);
+  options.assume("center", "0 0 0");
+  options.assume("hold", "not, as it is given");
+  EXPECT_EQ(options.understood(),
+            "center 0 0 0, radius 7e-1, every 50, mode slow, class 1 2, class 3 4, hold");
+}
+
+TEST(Options, SayEveryKindOfDefault)
+{
+  const auto understood = [](const std::function<void(const Options&)>& ask) {
+    const Options options = table.read(std::vector<std::string>());
+    ask(options);
+    return options.understood();
+  };
+  EXPECT_EQ(understood([](const Options& o) { o.number("radius", -2.5); }), "radius -2.5");
+  EXPECT_EQ(understood([](const Options& o) { o.positive("radius", 1e-5); }), "radius 1e-05");
+  EXPECT_EQ(understood([](const Options& o) { o.not_negative("radius", 0.0); }), "radius 0");
+  EXPECT_EQ(understood([](const Options& o) { o.between("radius", 0.0, 1.0, 0.7); }), "radius 0.7");
+  EXPECT_EQ(understood([](const Options& o) { o.integer("every", 1, 200); }), "every 200");
+  EXPECT_EQ(understood([](const Options& o) { o.word("mode", "slow"); }), "mode slow");
+  EXPECT_EQ(understood([](const Options& o) { o.choice("mode", {"a"}, "a"); }), "mode a");
+  EXPECT_EQ(understood([](const Options& o) { o.assume("hold", ""); }), "hold");
+  EXPECT_EQ(understood([](const Options&) {}), "");
+}

@@ -1,8 +1,9 @@
 // Mesh files written here, byte by byte, and read back as the surface they hold.
-#include "shell/mesh_file.h"
+#include "files/mesh_file.h"
 
 #include "core/input_error.h"
 #include "shell/cylinder_mesh.h"
+#include "shell/surface_mesh.h"
 #include "support/child_program.h"
 
 #include <gtest/gtest.h>
@@ -53,8 +54,9 @@ class MeshFile : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-void expect_the_triangles(const SurfaceMesh& mesh)
+void expect_the_triangles(const std::vector<std::array<Vec3, 3>>& corners)
 {
+  const SurfaceMesh mesh = welded(corners);
   EXPECT_EQ(mesh.node.size(), 4u) << "the two triangles share their side";
   ASSERT_EQ(mesh.facet.size(), 2u);
   for (int f = 0; f < 2; ++f)
@@ -125,7 +127,8 @@ TEST_F(MeshFile, OfVtkXmlIsRead)
 
 TEST_F(MeshFile, TurnsAQuadrilateralIntoTwoTriangles)
 {
-  const SurfaceMesh mesh = read_mesh_file(write("four.vtk", vtk_text("POLYGONS 1 5\n4 0 1 3 2\n")));
+  const SurfaceMesh mesh =
+      welded(read_mesh_file(write("four.vtk", vtk_text("POLYGONS 1 5\n4 0 1 3 2\n"))));
   EXPECT_EQ(mesh.facet.size(), 2u);
   EXPECT_EQ(mesh.node.size(), 4u);
 }

@@ -1,8 +1,8 @@
 // Grains in their places and beyond the walls, in the last file of a run: what the checks say, and
 // what the program ends with.
 #include "closed_form_case.h"
-#include "output/pvd_collection.h"
-#include "output/vtk_grains_writer.h"
+#include "files/pvd_collection.h"
+#include "files/vtk_grains_writer.h"
 #include "support/child_program.h"
 
 #include <gtest/gtest.h>
