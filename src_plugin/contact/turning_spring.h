@@ -23,7 +23,7 @@ constexpr double no_square = 1e-200;
 /// brought back to its length, which is the smallest turn that does it. Over many small turns of
 /// the normal this is parallel transport; one turn by the angle a is followed to a^2 / 4.
 /// With `moves` = 0 instead of 1 it stays as it is to the last bit.
-/// Source: Luding (2008), Granular Matter 10, 235-246, section 2.2.
+/// Source: Luding (2008), Granular Matter 10, 235-246, on the tangential spring.
 inline Vec3 laid_into_plane(const Vec3& vector, const Vec3& n, double moves = 1.0)
 {
   const double along = moves * vector.dot(n);
@@ -55,6 +55,7 @@ constexpr double largest_quarter = 0.5;
 /// A contact turns by half before the slip of the step is added and by half after it: the slip is
 /// that of the middle of the step, and a spring that turns then neither gains nor loses energy
 /// (turned as a whole before, it gains the part angle sqrt(k dt^2 / m) / 4 a step).
+/// Source: Itasca PFC, linear model, for the turn with the mean spin about the normal.
 inline Turn half_turn(double angle)
 {
   const double below = 0.25 * angle < largest_quarter ? 0.25 * angle : largest_quarter;
