@@ -39,8 +39,7 @@ void FixServoCylinder::advance(double distance)
   if (cylinder_.radius <= 0.0)
     error->fix_error(FLERR, this,
                      ("the cylinder must stay open, found it closed to a radius of 0 at step " +
-                      std::to_string(update->ntimestep) +
-                      " with no grains to hold it, stop it before by 'fix_modify " + id +
+                      std::to_string(update->ntimestep) + ", stop it before by 'fix_modify " + id +
                       " hold' or write a smaller 'velocity' or 'speed_limit'")
                          .c_str());
 }

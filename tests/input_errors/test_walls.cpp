@@ -2,6 +2,22 @@
 
 using namespace encased_column::testing;
 
+TEST(Cylinder, EndsTheRunWhereItClosesToNothing)
+{
+  expect_refused(
+      "empty_cylinder", R"(
+create_atoms 1 single 0 0 0.1 units box
+set group all diameter 0.01 density 2500
+fix side all servo/cylinder radius 0.05 platens top bottom type 2 velocity 1e-3
+fix top all servo/platen position top z 0.2 side side type 2
+fix bottom all servo/platen position bottom z 0 side side type 2
+fix move all motion step 1.0
+run 100
+)",
+      "the cylinder must stay open, found it closed to a radius of 0 at step 50, stop it "
+      "before by 'fix_modify side hold'");
+}
+
 TEST(Platen, RefusesTwoWaysToMove)
 {
   expect_refused("grain_stack", R"(
