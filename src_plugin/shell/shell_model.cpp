@@ -192,7 +192,7 @@ double ShellModel::stable_step(const std::vector<StiffnessBound>& bound, double 
 }
 
 double ShellModel::scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor,
-                                bool anew)
+                                bool from_true_masses)
 {
   const double need = dt * dt / (factor * factor);
   double taken = 0.0;
@@ -205,9 +205,11 @@ double ShellModel::scale_masses(const std::vector<StiffnessBound>& bound, double
     inertia = wanted;
   };
   for (int i = 0; i < nodes(); ++i) {
-    set(mass_[i], std::max(anew ? true_mass_[i] : mass_[i], need * bound[i].translation),
+    set(mass_[i],
+        std::max(from_true_masses ? true_mass_[i] : mass_[i], need * bound[i].translation),
         velocity_[i]);
-    set(inertia_[i], std::max(anew ? true_inertia_[i] : inertia_[i], need * bound[i].rotation),
+    set(inertia_[i],
+        std::max(from_true_masses ? true_inertia_[i] : inertia_[i], need * bound[i].rotation),
         angular_velocity_[i]);
   }
   return taken;

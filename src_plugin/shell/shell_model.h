@@ -83,11 +83,11 @@ class ShellModel {
   /// factor sqrt(m / k), smallest over nodes, translations and rotations [s]. Stable below factor
   /// 2, because the sum of the bounds is never below the largest eigenvalue.
   double stable_step(const std::vector<StiffnessBound>& bound, double factor) const;
-  /// Raises masses and inertias where `dt` [s] asks for it, from the true ones if `anew`, else from
-  /// what they are. A node that gets heavier keeps its momentum; returns the energy [J] that this
-  /// takes out.
+  /// Raises masses and inertias where `dt` [s] asks for it, from the true ones if
+  /// `from_true_masses`, else from what they are. A node that gets heavier keeps its momentum;
+  /// returns the energy [J] that this takes out.
   double scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor,
-                      bool anew = false);
+                      bool from_true_masses = false);
   /// Total mass over the true one [-].
   double mass_factor() const;
 
