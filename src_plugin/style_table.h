@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "host/host_types.h"
+#include "host/creators.h"
 
 #include <string>
 #include <type_traits>
@@ -32,11 +32,11 @@ Maker make()
     return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
               return new T(lmp, narg, arg);
             }),
-            &T::keywords, nullptr};
+            &T::keywords};
   } else {
     return {CommandCreator(
                 [](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) { T(lmp).command(narg, arg); }),
-            &T::keywords, nullptr};
+            &T::keywords};
   }
 }
 
@@ -47,7 +47,7 @@ Maker make_instead()
   return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
             return new T(lmp, narg, arg);
           }),
-          nullptr, nullptr};
+          nullptr};
 }
 
 /// A fix of the host that `make` makes, with the host's creator at hand.
