@@ -2,7 +2,7 @@
 
 #include "core/keyword_table.h"
 #include "files/column.h"
-#include "host/host_types.h"
+#include "host/creators.h"
 
 #include <string>
 #include <type_traits>
@@ -63,7 +63,7 @@ Maker make_instead()
   return {FixCreator([](LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) -> LAMMPS_NS::Fix* {
             return new T(lmp, narg, arg);
           }),
-          nullptr, nullptr, nullptr, nullptr};
+          nullptr};
 }
 
 /// A fix of the host that `make` makes, with the host's creator at hand.

@@ -14,11 +14,3 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "update.h"
-
-namespace encased_column {
-
-/// How the host makes a fix, and how it runs a command, of the words of its line.
-using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
-using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
-
-}  // namespace encased_column

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/host_types.h"
+#include "host/creators.h"
 
 namespace encased_column {
 

@@ -125,6 +125,18 @@ run 1
                  "write the ID of a fix servo/platen");
 }
 
+TEST(Cylinder, RefusesPlatensTheWrongWayRound)
+{
+  expect_refused("grain_stack", R"(
+fix side all servo/cylinder radius 0.05 platens bottom top type 2
+fix top all servo/platen position top z 0.08 side side type 2
+fix bottom all servo/platen position bottom z 0 side side type 2
+run 1
+)",
+                 "'platens' takes the upper platen first, found 'bottom top', write the ID of the "
+                 "top and then of the bottom one");
+}
+
 TEST(Cylinder, RefusesAStressBelowZero)
 {
   expect_refused("grain_stack", R"(
