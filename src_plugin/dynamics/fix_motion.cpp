@@ -6,7 +6,6 @@
 #include "host/rank_sums.h"
 #include "host/require_grains.h"
 
-#include "memory.h"
 #include "pair_gran.h"
 
 #include <algorithm>
@@ -45,9 +44,9 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::
   try {
     const Options options = keywords.read(narg, arg);
     damping_ = options.between("damping", 0.0, 0.99, 0.7);
-    safety_ = options.between("safety", 0.01, 1.0, 0.8);
+    mass_scaling.rule.safety = options.between("safety", 0.01, 1.0, 0.8);
     every_ = static_cast<int>(options.integer("every", 1, 50));
-    scaled_step_ = read_step(options);
+    mass_scaling.rule.step = read_step(options);
     read_free_speed(options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
@@ -72,7 +71,6 @@ FixMotion::~FixMotion()
 {
   atom->delete_callback(id, 0);
   atom->delete_callback(id, 1);
-  memory->destroy(inertia_);
 }
 
 void FixMotion::read_free_speed(const Options& options)
@@ -90,18 +88,20 @@ int FixMotion::setmask()
 
 void FixMotion::init()
 {
+  MassScaling::Rule& rule = mass_scaling.rule;
   try {
     auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
-    rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
+    rule.rolling = pair && pair->contact_match("rolling_friction", "epsd2");
     const PairProperty modulus = read_pair_property(lmp, "contactModulus", 0.0, true);
     const PairProperty ratio = read_pair_property(lmp, "stiffnessRatio", 0.0, true);
-    stiffest_material_ = 0.0;
+    rule.stiffest_material = 0.0;
     const std::vector<int> types = types_that_count();
     for (const int i : types)
       for (const int j : types)
-        stiffest_material_ = std::max(stiffest_material_,
-                                      modulus.at(i, j) * decisive_ratio(ratio.at(i, j), rolling_));
-    if (scaled_step_ > 0.0)
+        rule.stiffest_material =
+            std::max(rule.stiffest_material,
+                     modulus.at(i, j) * decisive_ratio(ratio.at(i, j), rule.rolling));
+    if (rule.scales())
       for (const char* name : {"dampingRatioNormal", "dampingRatioShear"}) {
         const PairProperty ratio = read_pair_property(lmp, name, 0.0, false, 0.0);
         for (int i = 1; i <= atom->ntypes; ++i)
@@ -114,10 +114,10 @@ void FixMotion::init()
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  if (!(rule_ == rule_now())) anew_ = true;
-  rule_ = rule_now();
-  if (scaled_step_ > 0.0)
-    update->dt = scaled_step_;
+  if (!(rule == found_with_)) anew_ = true;
+  found_with_ = rule;
+  if (rule.scales())
+    update->dt = rule.step;
   else if (!anew_ && stable_step_ > 0.0)
     update->dt = stable_step_;
   setting_up_ = true;
@@ -128,19 +128,13 @@ void FixMotion::init()
 /// first touch. True masses cannot wait for that.
 std::vector<int> FixMotion::types_that_count() const
 {
-  std::vector<double> seen(atom->ntypes, scaled_step_ > 0.0 ? 0.0 : 1.0);
+  std::vector<double> seen(atom->ntypes, mass_scaling.rule.scales() ? 0.0 : 1.0);
   for (int i = 0; i < atom->nlocal; ++i) seen[atom->type[i] - 1] = 1.0;
   sum_over_ranks(seen.data(), seen.size(), world);
   std::vector<int> types;
   for (int t = 0; t < atom->ntypes; ++t)
     if (seen[t] > 0.0) types.push_back(t + 1);
   return types;
-}
-
-bool FixMotion::Rule::operator==(const Rule& other) const
-{
-  return fixed_step == other.fixed_step && safety == other.safety &&
-         stiffest_material == other.stiffest_material && rolling == other.rolling;
 }
 
 // Where a deck's run ends, or a restart file is written, must not change the motion: a set-up alone
@@ -154,9 +148,10 @@ void FixMotion::setup(int)
 
 void FixMotion::look_anew()
 {
-  keep_momentum();
-  set_inertia();
+  admit_new_grains();
+  set_masses();
   weigh_equilibrium();
+  set_step();
 }
 
 double FixMotion::damping_loss() const

@@ -3,20 +3,18 @@
 #include "core/keyword_table.h"
 #include "dynamics/equilibrium.h"
 #include "dynamics/kick_grains.h"
-#include "dynamics/stable_step.h"
+#include "dynamics/mass_scaling.h"
 #include "host/contact_probe.h"
-#include "host/inertia_owner.h"
 
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace encased_column {
 
 /// Moves the grains: central differences with local damping, a stable step found from the contact
 /// stiffness of every grain, and density scaling when the deck sets the step.
-class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwner {
+class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public MassScalingOwner {
  public:
   static const KeywordTable keywords;
 
@@ -55,7 +53,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   /// Finds equilibrium() anew, with the forces as they are now.
   void weigh_equilibrium();
   /// Inertial mass [kg] of grain i.
-  double inertial_mass(int i) const { return inertia_[i]; }
+  double inertial_mass(int i) const { return mass_scaling.inertial_mass(i); }
   /// Work [J] of the local damping on all ranks since the fix was made.
   double damping_loss() const;
 
@@ -74,50 +72,33 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   void slow_down(int first, int count);
   void collect();
   std::vector<int> types_that_count() const;
-  void set_inertia();
-  void bear_first_contacts();
+  void set_masses();
+  void admit_new_grains();
+  void set_step();
 
-  /// What inertia, apart from the contacts, and the weighing were found with.
-  struct Rule {
-    double fixed_step, safety, stiffest_material;
-    bool rolling;
-    bool operator==(const Rule& other) const;
-  };
   /// The state in a restart file.
   struct Saved {
     double time, loss, largest_factor, stable_step;
     Equilibrium equilibrium;
-    Rule rule;
+    MassScaling::Rule rule;
     bool anew;
   };
 
-  Rule rule_now() const { return {scaled_step_, safety_, stiffest_material_, rolling_}; }
   void look_anew();
-  void make_heavier(int i, double inertia) override;
-  /// A grain before `end`, and after those whose momentum was kept, got heavier in this step.
-  bool gets_heavier_before(int end) const
-  {
-    return slowed_ < heavier_.size() && heavier_[slowed_].first < end;
-  }
-  /// Of grains before `end` that got heavier, in the order of the list.
-  void keep_momentum(int end = std::numeric_limits<int>::max());
-  double kinetic_energy_of(int i) const;
+  MovingGrains moving_grains() const;
 
   double damping_;
   int every_;
   double free_speed_square_ = std::numeric_limits<double>::infinity();  ///< [m^2/s^2]
   Vec3 gravity_ = Vec3::Zero();                                         ///< [m/s^2]
-  double stiffest_material_ =
-      0.0;  ///< E* [Pa] of the contact of grains that needs the smallest step
   bool setting_up_ = false;
   /// Grains or materials are new to this fix: it finds inertia and equilibrium when it is set up,
   /// and does not wait for the next step that `every` divides.
   bool anew_ = true;
-  bool made_grains_ = false;        ///< on this rank, since forces were last made
-  bool weighs_new_grains_ = false;  ///< in this step, on all ranks
-  Rule rule_{};
+  bool made_grains_ = false;               ///< on this rank, since forces were last made
+  bool weighs_new_grains_ = false;         ///< in this step, on all ranks
+  MassScaling::Rule found_with_;           ///< what masses and equilibrium were found with
   std::optional<double> time_of_restart_;  ///< until the first run after it [s]
-  std::vector<GrainStiffness> stiffness_;
   double contact_force_sum_ = 0.0, contact_count_ = 0.0;
   double loss_ = 0.0;
   /// The last half kick of the step is still to come, with the first one of the next.
@@ -129,9 +110,6 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public InertiaOwne
   bool sums_started_ = false;  ///< for the step to come
   bool takes_weight_ = false;
   std::vector<int> looked_at_every_;  ///< steps
-  /// Grains that got heavier in this step, each with its mass before over that after.
-  std::vector<std::pair<int, double>> heavier_;
-  std::size_t slowed_ = 0;  ///< of them already
   double largest_factor_ = 1.0, stable_step_ = 0.0;
   Equilibrium equilibrium_;
 };

@@ -111,7 +111,9 @@ void FixMotion::setup_pre_force(int)
 // and maybe on one rank alone.
 void FixMotion::pre_force(int)
 {
+  mass_scaling.begin_step(moving_grains(), !setting_up_);
   if (neighbor->ago == 0) {
+    mass_scaling.admit_new_grains();
     weighs_new_grains_ = max_over_ranks(made_grains_ ? 1.0 : 0.0, world) > 0.0;
     made_grains_ = false;
   }
@@ -122,19 +124,14 @@ void FixMotion::pre_force(int)
 
 void FixMotion::collect()
 {
-  stiffness_.assign(atom->nlocal, GrainStiffness());
+  mass_scaling.clear_contacts();
   contact_force_sum_ = contact_count_ = 0.0;
 }
 
 void FixMotion::add_contact(const Contact& contact)
 {
-  const double k_n = contact.normal_stiffness, k_s = contact.shear_stiffness;
-  GrainStiffness& stiffness = stiffness_[contact.i];
-  stiffness.add(contact.normal, k_n, k_s);
-  if (contact.j < 0)
-    stiffness.wall = std::max(stiffness.wall, wall_stiffness(k_n, k_s, rolling_));
-  else if (contact.j < atom->nlocal)
-    stiffness_[contact.j].add(contact.normal, k_n, k_s);
+  mass_scaling.add_contact(contact.i, contact.j, contact.normal, contact.normal_stiffness,
+                           contact.shear_stiffness);
   contact_force_sum_ += contact.share * contact.force.norm();
   contact_count_ += contact.share;
 }

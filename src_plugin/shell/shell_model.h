@@ -82,8 +82,7 @@ class ShellModel {
   /// 2, because the sum of the bounds is never below the largest eigenvalue.
   double stable_step(const std::vector<StiffnessBound>& bound, double factor) const;
   /// Raises masses and inertias where `dt` [s] asks for it, from the true ones if `anew`, else from
-  /// what they are. A node that gets heavier keeps its momentum; returns the energy [J] that this
-  /// takes out.
+  /// what they are, as change_inertia() does; returns the energy [J] that this takes out.
   double scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor,
                       bool anew = false);
   /// Total mass over the true one [-].
