@@ -4,11 +4,10 @@
 #include "dynamics/fix_motion.h"
 #include "host/find_fix.h"
 #include "host/rank_sums.h"
+#include "host/restart_block.h"
 #include "host/stop_run.h"
 #include "output/output_places.h"
 #include "servo/find_platens.h"
-
-#include <cstring>
 
 namespace encased_column {
 
@@ -135,39 +134,42 @@ double FixSpecimenHistory::compute_vector(int n)
   return row_.at(n);
 }
 
-namespace {
-
-/// In a restart file; the last row follows.
-struct Saved {
-  SpecimenState reference;
-  EnergyAccount start;
-  ContactLosses losses;
-};
-
-}  // namespace
-
 void FixSpecimenHistory::write_restart(FILE* file)
 {
   double losses[3] = {contact_losses.friction, contact_losses.rolling, contact_losses.dashpots};
   sum_over_ranks(losses, 3, world);
   if (comm->me != 0) return;
-  const Saved saved{reference_, energy_start_, {losses[0], losses[1], losses[2]}};
-  const int size = static_cast<int>(sizeof(Saved) + row_.size() * sizeof(double));
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(&saved, sizeof(Saved), 1, file);
-  fwrite(row_.data(), sizeof(double), row_.size(), file);
+  const SpecimenState& r = reference_;
+  const EnergyAccount& e = balance_.at_start();
+  std::vector<double> numbers{r.height,       r.volume,        r.radius[0],     r.radius[1],
+                              r.radius[2],    r.stress_top,    r.stress_bottom, r.confining_stress,
+                              e.work_platens, e.work_side,     e.work_gravity,  e.elastic,
+                              e.kinetic,      e.friction,      e.rolling,       e.dashpots,
+                              e.damping,      balance_.most(), losses[0],       losses[1],
+                              losses[2]};
+  numbers.insert(numbers.end(), row_.begin(), row_.end());
+  write_block(file, numbers, "");
 }
 
 // A run may have gone on after its last restart file was written: those rows come again.
 void FixSpecimenHistory::restart(char* buffer)
 {
-  Saved saved;
-  std::memcpy(&saved, buffer, sizeof(Saved));
-  reference_ = saved.reference;
-  energy_start_ = saved.start;
-  std::memcpy(row_.data(), buffer + sizeof(Saved), row_.size() * sizeof(double));
+  RestartBlock block(buffer);
+  SpecimenState& r = reference_;
+  EnergyAccount e;
+  ContactLosses losses;
+  double most;
+  for (double* number : {&r.height,       &r.volume,     &r.radius[0],     &r.radius[1],
+                         &r.radius[2],    &r.stress_top, &r.stress_bottom, &r.confining_stress,
+                         &e.work_platens, &e.work_side,  &e.work_gravity,  &e.elastic,
+                         &e.kinetic,      &e.friction,   &e.rolling,       &e.dashpots,
+                         &e.damping,      &most,         &losses.friction, &losses.rolling,
+                         &losses.dashpots})
+    *number = block.take();
+  balance_.resume(e, most);
+  block.take(row_.data(), row_.size());
   if (comm->me != 0) return;
-  contact_losses = saved.losses;
+  contact_losses = losses;
   if (!file_.go_back_to(static_cast<double>(update->ntimestep))) stop_writing();
 }
 

@@ -76,7 +76,8 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   CoreStress core_;
 
   SpecimenState reference_, now_;
-  EnergyAccount energy_start_, energy_;
+  EnergyAccount energy_;
+  EnergyBalance balance_;
   std::vector<double> row_;
   CsvSeries file_;
 };

@@ -84,6 +84,7 @@ void FixSpecimenHistory::take_sample()
   const double per_volume =
       sums.core_solid > 0.0 ? sums.solid / now_.volume / sums.core_solid : 0.0;
   const ContactCount count{sums.grains, sums.ends, sums.without_contact, sums.with_one_contact};
+  const EnergyAccount& start = balance_.at_start();
   const Equilibrium& equilibrium = motion_->equilibrium();
   row_ = {static_cast<double>(update->ntimestep),
           shortening(reference_.height, now_.height),
@@ -107,16 +108,16 @@ void FixSpecimenHistory::take_sample()
           equilibrium.maximum,
           p > 0.0 ? inertial_number(rate, sums.diameter / sums.mass, sums.inertia / sums.solid, p)
                   : 0.0,
-          energy_.work_platens - energy_start_.work_platens,
-          energy_.work_side - energy_start_.work_side,
-          energy_.work_gravity - energy_start_.work_gravity,
+          energy_.work_platens - start.work_platens,
+          energy_.work_side - start.work_side,
+          energy_.work_gravity - start.work_gravity,
           energy_.elastic,
           energy_.kinetic,
-          energy_.friction - energy_start_.friction,
-          energy_.rolling - energy_start_.rolling,
-          energy_.dashpots - energy_start_.dashpots,
-          energy_.damping - energy_start_.damping,
-          energy_error(energy_start_, energy_),
+          energy_.friction - start.friction,
+          energy_.rolling - start.rolling,
+          energy_.dashpots - start.dashpots,
+          energy_.damping - start.damping,
+          balance_.error(energy_),
           sums.core_axial * per_volume,
           sums.core_radial * per_volume};
 }
@@ -124,7 +125,7 @@ void FixSpecimenHistory::take_sample()
 void FixSpecimenHistory::take_reference()
 {
   reference_ = now_;
-  energy_start_ = energy_;
+  balance_.start(energy_);
   reference_wanted_ = false;
 }
 
