@@ -66,7 +66,7 @@ class ContactDesk {
   }
 
   /// Grain i touches a wall: its inertia must bear the contact's springs from this step on.
-  void bear_wall_contact(int i, const ContactStiffness& k)
+  void raise_mass_for_contact(int i, const ContactStiffness& k)
   {
     if (mass_scaling_) mass_scaling_->raise_mass_for_contact(i, k.normal, k.shear);
   }

@@ -150,7 +150,7 @@ void FixMotion::look_anew()
 {
   admit_new_grains();
   set_masses();
-  weigh_equilibrium();
+  compute_unbalanced_ratio();
   set_step();
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "dynamics/equilibrium.h"
 #include "dynamics/kick_grains.h"
 #include "dynamics/mass_scaling.h"
+#include "dynamics/unbalanced_force_ratio.h"
 #include "host/contact_probe.h"
 
 #include <limits>
@@ -48,10 +48,10 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public MassScaling
   void add_contact(const Contact& contact) override;
 
   /// As of the last step that `every` divides.
-  const Equilibrium& equilibrium() const { return equilibrium_; }
+  const UnbalancedForceRatio& unbalanced_ratio() const { return equilibrium_; }
   int every() const { return every_; }
-  /// Finds equilibrium() anew, with the forces as they are now.
-  void weigh_equilibrium();
+  /// Finds unbalanced_ratio() anew, with the forces as they are now.
+  void compute_unbalanced_ratio();
   /// Inertial mass [kg] of grain i.
   double inertial_mass(int i) const { return mass_scaling.inertial_mass(i); }
   /// Work [J] of the local damping on all ranks since the fix was made.
@@ -79,7 +79,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public MassScaling
   /// The state in a restart file.
   struct Saved {
     double time, loss, largest_factor, stable_step;
-    Equilibrium equilibrium;
+    UnbalancedForceRatio equilibrium;
     MassScaling::Rule rule;
     bool anew;
   };
@@ -111,7 +111,7 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public MassScaling
   bool takes_weight_ = false;
   std::vector<int> looked_at_every_;  ///< steps
   double largest_factor_ = 1.0, stable_step_ = 0.0;
-  Equilibrium equilibrium_;
+  UnbalancedForceRatio equilibrium_;
 };
 
 }  // namespace encased_column

@@ -2,9 +2,9 @@
 // forces of a step begin.
 #include "dynamics/fix_gravity_of_motion.h"
 #include "dynamics/fix_motion.h"
-#include "host/blind_to_velocity.h"
 #include "host/force_clearing.h"
 #include "host/gravity.h"
+#include "host/ignores_velocity.h"
 #include "host/rank_sums.h"
 
 #include "output.h"
@@ -23,7 +23,7 @@ void FixMotion::find_onlookers()
   looked_at_every_.clear();
   for (int n = 0; n < modify->nfix; ++n) {
     const LAMMPS_NS::Fix* const fix = modify->fix[n];
-    if (fix == this || dynamic_cast<const BlindToVelocity*>(fix)) continue;
+    if (fix == this || dynamic_cast<const IgnoresVelocity*>(fix)) continue;
     if (modify->fmask[n] & END_OF_STEP) looked_at_every_.push_back(std::max(fix->nevery, 1));
     if (modify->fmask[n] & in_between) always_looked_at_ = true;
   }
@@ -43,7 +43,7 @@ bool FixMotion::others_act(int stages, const LAMMPS_NS::Fix* last) const
   for (int n = 0; n < modify->nfix; ++n) {
     const LAMMPS_NS::Fix* const fix = modify->fix[n];
     if (fix == last) return false;
-    const bool ours = fix == this || dynamic_cast<const BlindToVelocity*>(fix) ||
+    const bool ours = fix == this || dynamic_cast<const IgnoresVelocity*>(fix) ||
                       dynamic_cast<const ContactProbe*>(fix);
     if (!ours && (modify->fmask[n] & stages)) return true;
   }

@@ -25,8 +25,8 @@ void FixMotion::set_masses()
   stable_step_ = min_over_ranks(found.stable_step, world);
 }
 
-// Of a fix that makes them at the end of a step, or in the set-up, where the host tells of all grains
-// once more.
+// Of a fix that makes them at the end of a step, or in the set-up, where the host tells of all
+// grains once more.
 void FixMotion::admit_new_grains()
 {
   mass_scaling.begin_step(moving_grains(), false);
@@ -40,7 +40,7 @@ void FixMotion::set_step()
   update->dt = stable_step_;
 }
 
-void FixMotion::weigh_equilibrium()
+void FixMotion::compute_unbalanced_ratio()
 {
   ForceSums sums{0.0, 0.0, contact_force_sum_, contact_count_};
   double largest = 0.0;
@@ -58,7 +58,7 @@ void FixMotion::weigh_equilibrium()
         ("the forces on the grains are not numbers at step " + std::to_string(update->ntimestep) +
          ", go back to the last restart file with a smaller step")
             .c_str());
-  equilibrium_ = equilibrium_of(sums, max_over_ranks(largest, world));
+  equilibrium_ = encased_column::compute_unbalanced_ratio(sums, max_over_ranks(largest, world));
 }
 
 GrainRow FixMotion::row(int first, int count) const
@@ -157,7 +157,7 @@ void FixMotion::final_integrate()
   finish_step();
   if (!weighs) return;
   weighs_new_grains_ = false;
-  weigh_equilibrium();
+  compute_unbalanced_ratio();
   set_step();
 }
 

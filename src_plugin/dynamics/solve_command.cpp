@@ -88,7 +88,7 @@ void SolveCommand::command(int narg, char** arg)
     const long piece = std::min(every - static_cast<long>(update->ntimestep % every), max - done);
     update->integrate->run(static_cast<int>(piece));
     done += piece;
-    const Equilibrium& e = motion->equilibrium();
+    const UnbalancedForceRatio& e = motion->unbalanced_ratio();
     ratio = which == "average" ? e.average : e.maximum;
     if (ratio <= limit && done >= least) break;
   }

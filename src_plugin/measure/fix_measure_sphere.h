@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "host/blind_to_velocity.h"
+#include "host/ignores_velocity.h"
 #include "host/contact_probe.h"
 #include "host/run_clock.h"
 #include "measure/measuring_sphere.h"
@@ -21,7 +21,7 @@ class FixServoPlaten;
 class FixMeasureSphere : public LAMMPS_NS::Fix,
                          public ContactProbe,
                          public SeriesOwner,
-                         public BlindToVelocity {
+                         public IgnoresVelocity {
  public:
   static const KeywordTable keywords;
 

@@ -92,7 +92,7 @@ void FixSpecimenHistory::pre_force(int)
 void FixSpecimenHistory::setup(int)
 {
   if (reference_.height != 0.0 && !reference_wanted_) return;
-  motion_->weigh_equilibrium();
+  motion_->compute_unbalanced_ratio();
   reference_wanted_ = true;
   take_sample();
   write_row();

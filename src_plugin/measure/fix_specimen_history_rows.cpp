@@ -85,7 +85,7 @@ void FixSpecimenHistory::take_sample()
       sums.core_solid > 0.0 ? sums.solid / now_.volume / sums.core_solid : 0.0;
   const ContactCount count{sums.grains, sums.ends, sums.without_contact, sums.with_one_contact};
   const EnergyAccount& start = balance_.at_start();
-  const Equilibrium& equilibrium = motion_->equilibrium();
+  const UnbalancedForceRatio& equilibrium = motion_->unbalanced_ratio();
   row_ = {static_cast<double>(update->ntimestep),
           shortening(reference_.height, now_.height),
           now_.stress_top,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "host/blind_to_velocity.h"
+#include "host/ignores_velocity.h"
 #include "host/host_types.h"
 #include "output/vtk_series.h"
 
@@ -11,7 +11,7 @@
 namespace encased_column {
 
 /// `fix output/collection`: one file that opens the series of several fixes together in ParaView.
-class FixOutputCollection : public LAMMPS_NS::Fix, public BlindToVelocity {
+class FixOutputCollection : public LAMMPS_NS::Fix, public IgnoresVelocity {
  public:
   static const KeywordTable keywords;
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "host/blind_to_velocity.h"
+#include "host/ignores_velocity.h"
 #include "host/run_clock.h"
 #include "output/csv_series.h"
 #include "output/vtk_series.h"
@@ -18,7 +18,7 @@ class FixMeshSurfaceShell;
 
 /// `fix output/sleeve`: a sleeve as a time series that ParaView opens, its profile over the height
 /// at the same times, and its curves.
-class FixOutputSleeve : public LAMMPS_NS::Fix, public SeriesOwner, public BlindToVelocity {
+class FixOutputSleeve : public LAMMPS_NS::Fix, public SeriesOwner, public IgnoresVelocity {
  public:
   static const KeywordTable keywords;
 

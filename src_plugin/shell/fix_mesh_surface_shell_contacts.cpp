@@ -55,7 +55,7 @@ void FixMeshSurfaceShell::press(bool advance_memory)
     const ContactAction action =
         resolve_contact<rolling>(stiffened(desk_.material(grains.type[i], type_), smooth), touch,
                                  update->dt, step, advance_memory, contact_memory(n));
-    desk_.bear_wall_contact(i, action.stiffness);
+    desk_.raise_mass_for_contact(i, action.stiffness);
     as_vec3(grains.force + 3 * i) += action.force;
     as_vec3(grains.moment + 3 * i) += action.moment_i;
     const Vec3 shear = -action.force - action.normal_force * smooth.normal;
