@@ -1,6 +1,6 @@
 #include "plugin_entry.h"
 
-#include "dynamics/fix_gravity_of_motion.h"
+#include "host/fix_gravity_of_motion.h"
 #include "shell/fix_wall_of_sleeves.h"
 #include "style_table.h"
 

@@ -1,25 +1,26 @@
 #pragma once
 
-#include "core/keyword_table.h"
-#include "dynamics/kick_grains.h"
+#include "dynamics/grain_motion.h"
 #include "dynamics/mass_scaling.h"
+#include "dynamics/motion_settings.h"
 #include "dynamics/unbalanced_force_ratio.h"
 #include "host/contact_probe.h"
+#include "host/force_start.h"
+#include "host/grain_number_fix.h"
+#include "host/rank_sums.h"
+#include "host/velocity_watchers.h"
 
-#include <limits>
 #include <optional>
-#include <vector>
 
 namespace encased_column {
 
 /// Moves the grains: central differences with local damping, a stable step found from the contact
 /// stiffness of every grain, and density scaling when the deck sets the step.
-class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public MassScalingOwner {
+class FixMotion : public MassScalingOwner, public GrainNumberFix, public ContactProbe {
  public:
-  static const KeywordTable keywords;
+  inline static const KeywordTable& keywords = MotionSettings::keywords;
 
   FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
-  ~FixMotion() override;
 
   int setmask() override;
   void init() override;
@@ -31,16 +32,6 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public MassScaling
   void post_run() override;
   int modify_param(int narg, char** arg) override;
   double compute_vector(int n) override;
-
-  void grow_arrays(int n) override;
-  void copy_arrays(int from, int to, int delete_flag) override;
-  void set_arrays(int i) override;
-  int pack_exchange(int i, double* buffer) override;
-  int unpack_exchange(int i, double* buffer) override;
-  int pack_restart(int i, double* buffer) override;
-  void unpack_restart(int i, int nth) override;
-  int size_restart(int) override { return 2; }
-  int maxsize_restart() override { return 2; }
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
@@ -48,70 +39,42 @@ class FixMotion : public LAMMPS_NS::Fix, public ContactProbe, public MassScaling
   void add_contact(const Contact& contact) override;
 
   /// As of the last step that `every` divides.
-  const UnbalancedForceRatio& unbalanced_ratio() const { return equilibrium_; }
-  int every() const { return every_; }
-  /// Finds unbalanced_ratio() anew, with the forces as they are now.
+  const UnbalancedForceRatio& unbalanced_ratio() const { return ratio_; }
+  int every() const { return settings_.every; }
+  /// Finds unbalanced_ratio() again, with the forces as they are now.
   void compute_unbalanced_ratio();
   /// Inertial mass [kg] of grain i.
   double inertial_mass(int i) const { return mass_scaling.inertial_mass(i); }
   /// Work [J] of the local damping on all ranks since the fix was made.
-  double damping_loss() const;
+  double damping_loss() const { return sum_over_ranks(motion_.loss, world); }
 
  private:
-  void read_free_speed(const Options& options);
-  GrainRow row(int first, int count) const;
-  template <typename Kick>
-  void for_rows(const Kick& kick) const;
-  void find_onlookers();
-  bool is_looked_at() const;  ///< the end of this step
-  void finish_step();
-  bool others_act(int stages, const LAMMPS_NS::Fix* last) const;
-  void take_over_sums();
-  void start_sums(int first, int count);
-  /// To the free speed those of `count` grains that are faster and touch nothing.
-  void slow_down(int first, int count);
-  void collect();
-  std::vector<int> types_that_count() const;
-  void set_masses();
+  /// A run is set up from its init() until its first step begins.
+  enum class Stage { set_up, in_steps };
+  /// Masses, step and ratio: known, or wanted before a step that `every` divides, as grains or
+  /// materials are new. The same on all ranks once a step begins.
+  enum class Masses { found, wanted_in_set_up, wanted_in_step };
+
+  void use_settings();
+  StepGrains grains() const;
   void admit_new_grains();
+  void find_masses();
+  void find_all_in_set_up();
+  void complete_step();
   void set_step();
+  std::vector<double*> saved();
 
-  /// The state in a restart file.
-  struct Saved {
-    double time, loss, largest_factor, stable_step;
-    UnbalancedForceRatio equilibrium;
-    MassScaling::Rule rule;
-    bool anew;
-  };
-
-  void look_anew();
-  MovingGrains moving_grains() const;
-
-  double damping_;
-  int every_;
-  double free_speed_square_ = std::numeric_limits<double>::infinity();  ///< [m^2/s^2]
-  Vec3 gravity_ = Vec3::Zero();                                         ///< [m/s^2]
-  bool setting_up_ = false;
-  /// Grains or materials are new to this fix: it finds inertia and equilibrium when it is set up,
-  /// and does not wait for the next step that `every` divides.
-  bool anew_ = true;
-  bool made_grains_ = false;               ///< on this rank, since forces were last made
-  bool weighs_new_grains_ = false;         ///< in this step, on all ranks
-  MassScaling::Rule found_with_;           ///< what masses and equilibrium were found with
+  MotionSettings settings_;
+  GrainMotion motion_;
+  VelocityWatchers watchers_;
+  ForceStart force_start_;
+  Stage stage_ = Stage::set_up;
+  Masses masses_ = Masses::wanted_in_set_up;
+  MassScaling::Rule found_with_;  ///< what masses and ratio were found with
+  MassScaling::Found found_{0.0, 1.0};
+  ForceSums contacts_;
+  UnbalancedForceRatio ratio_;
   std::optional<double> time_of_restart_;  ///< until the first run after it [s]
-  double contact_force_sum_ = 0.0, contact_count_ = 0.0;
-  double loss_ = 0.0;
-  /// The last half kick of the step is still to come, with the first one of the next.
-  bool unfinished_ = false;
-  bool always_looked_at_ = false;
-  /// Sums of force and moment start here, not in the host: with the weight, in the pass over the
-  /// grains that has done with the old ones.
-  bool starts_sums_ = false;
-  bool sums_started_ = false;  ///< for the step to come
-  bool takes_weight_ = false;
-  std::vector<int> looked_at_every_;  ///< steps
-  double largest_factor_ = 1.0, stable_step_ = 0.0;
-  UnbalancedForceRatio equilibrium_;
 };
 
 }  // namespace encased_column

@@ -62,16 +62,14 @@ class MassScaling {
   Rule rule;
 
   double inertial_mass(int i) const { return inertia_[i]; }  ///< [kg]
-  const double* inertial_masses() const { return inertia_.data(); }
-  void set_inertial_mass(int i, double mass) { inertia_[i] = mass; }
-  void resize(int grains) { inertia_.resize(grains); }
+  /// One a grain [kg]; zero where none was found yet.
+  std::vector<double>& inertial_masses() { return inertia_; }
+  const std::vector<double>& inertial_masses() const { return inertia_; }
 
   /// The grains of a step, or of a set-up, whose velocities are complete and no way was gone.
   void begin_step(const MovingGrains& grains, bool way_was_gone);
-  /// A grain that no mass was found for yet.
-  void set_new(int i) { inertia_[i] = 0.0; }
-  /// New grains get the mass that one contact asks for. They come at the speed that the deck gave
-  /// them with this mass: nothing is booked.
+  /// Grains without an inertial mass get that which one contact asks for. They come at the speed
+  /// that the deck gave them with this mass: nothing is booked.
   void admit_new_grains();
 
   /// Before the contacts of the grains are added up.

@@ -1,5 +1,9 @@
 #pragma once
 
+#include "core/vec3.h"
+
+#include <algorithm>
+
 namespace encased_column {
 
 /// How far the grains are from equilibrium; see fix_motion.md. Unbalanced forces are those that
@@ -12,21 +16,44 @@ struct UnbalancedForceRatio {
 
 /// Sums over all grains and contacts.
 struct ForceSums {
-  double unbalanced;  ///< of the grains' unbalanced forces [N]
-  double grains;
-  double contact;  ///< of the contact forces [N]
-  double contacts;
+  double unbalanced = 0.0;  ///< of the grains' unbalanced forces [N]
+  double grains = 0.0;
+  double contact = 0.0;  ///< of the contact forces [N]
+  double contacts = 0.0;
+
+  /// `share` as the rank counts the contact.
+  void add_contact(double size, double share)
+  {
+    contact += share * size;
+    contacts += share;
+  }
+  /// Adds the unbalanced forces of `count` grains, of those that `mask` and `group` pick out, and
+  /// returns the largest [N].
+  double add_grains(const double* force, const int* mask, int group, int count)
+  {
+    double largest = 0.0;
+    for (int i = 0; i < count; ++i) {
+      if (!(mask[i] & group)) continue;
+      const double size = as_vec3(force + 3 * i).norm();
+      unbalanced += size;
+      grains += 1.0;
+      largest = std::max(largest, size);
+    }
+    return largest;
+  }
 };
 
-/// Without a contact force nothing is in equilibrium: the ratios are one then, not zero over zero.
-/// Source: Itasca PFC, "mechanical solve ratio-average" and "-maximum".
+/// Source: Itasca PFC, "mechanical solve ratio-average" and "-maximum". Where contacts bear less
+/// than what is unbalanced, grains fly: the ratios count against the unbalanced force then, so that
+/// the average is one, as without any contact force, and not a number over nothing.
 inline UnbalancedForceRatio compute_unbalanced_ratio(const ForceSums& sums,
                                                      double largest_unbalanced)
 {
   if (!(sums.contact > 0.0)) return {1.0, 1.0, sums.contacts};
   const double mean_contact = sums.contact / sums.contacts;
-  return {sums.unbalanced / sums.grains / mean_contact, largest_unbalanced / mean_contact,
-          sums.contacts};
+  const double mean_unbalanced = sums.grains > 0.0 ? sums.unbalanced / sums.grains : 0.0;
+  const double size = std::max(mean_contact, mean_unbalanced);
+  return {mean_unbalanced / size, largest_unbalanced / size, sums.contacts};
 }
 
 }  // namespace encased_column

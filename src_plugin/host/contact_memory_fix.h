@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/resolve_contact.h"
-#include "host/ignores_velocity.h"
 #include "host/host_types.h"
+#include "host/ignores_velocity.h"
 
 #include <vector>
 

@@ -17,8 +17,8 @@ class ScaledGrains : public ::testing::Test {
   ScaledGrains()
   {
     masses.rule = {1.0, 1.0, 0.0, false};
-    masses.resize(2);
-    for (int i = 0; i < 2; ++i) masses.set_inertial_mass(i, 1.0);
+    masses.inertial_masses().resize(2);
+    for (int i = 0; i < 2; ++i) masses.inertial_masses()[i] = 1.0;
     begin(false);
   }
 
@@ -82,7 +82,7 @@ TEST_F(ScaledGrains, KeepBothMomentaWhereTheyGetHeavierAndBookWhatTheyLose)
 
 TEST_F(ScaledGrains, KeepTheirVelocityWhereTheyGetLighterAndBookWhatTheyLose)
 {
-  masses.set_inertial_mass(0, 4.0);
+  masses.inertial_masses()[0] = 4.0;
   const double before = energy();
   masses.set_masses();  // nothing touches the grain
   EXPECT_EQ(masses.inertial_mass(0), 1.0);
@@ -103,7 +103,7 @@ TEST_F(ScaledGrains, GetTheWholeImpulseOfAStepInWhichTheyGetHeavier)
   touch_wall(10.0);
   EXPECT_EQ(masses.inertial_mass(0), 10.0);
   double force[3] = {7.0, 0.0, -2.0}, moment[3] = {0.0, 3.0, 0.0};
-  const GrainRow row{velocity, spin, force, moment, radius, masses.inertial_masses(), 1};
+  const GrainRow row{velocity, spin, force, moment, radius, masses.inertial_masses().data(), 1};
   const double work = kick_grains(row, 0.0, 0.5).loss;
   EXPECT_EQ(work, 0.0);
   const double kicked = energy();
@@ -126,15 +126,15 @@ TEST(MassScaling, ClosesTheAccountOfASpringWhoseMassChangesInEveryStep)
   const double k = 1.0, dt = 1.0;
   MassScaling masses;
   masses.rule = {dt, 0.8, 0.0, false};
-  masses.resize(1);
-  masses.set_inertial_mass(0, 2.0);
+  masses.inertial_masses().resize(1);
+  masses.inertial_masses()[0] = 2.0;
   double x = 1.0, loss = 0.0, force[3] = {-k * x, 0.0, 0.0};
   // Central differences keep the energy of a linear spring less dt^2 F^2 / (8 m).
   const double start = 0.5 * k - k * k * dt * dt / (8.0 * 2.0);
   unsigned random = 1;
   for (int step = 0; step < 1000; ++step) {
     const auto kick = [&] {
-      kick_grains({velocity, spin, force, moment, &radius, masses.inertial_masses(), 1}, 0.0,
+      kick_grains({velocity, spin, force, moment, &radius, masses.inertial_masses().data(), 1}, 0.0,
                   0.5 * dt);
     };
     kick();
@@ -185,7 +185,7 @@ TEST_F(ScaledGrains, AreOfTheirTrueMassWithoutScaling)
 TEST_F(ScaledGrains, ComeInAtTheSpeedTheyAreGiven)
 {
   masses.rule.stiffest_material = 2.0;
-  masses.set_new(0);
+  masses.inertial_masses()[0] = 0.0;
   masses.admit_new_grains();
   EXPECT_DOUBLE_EQ(masses.inertial_mass(0), 2.0 * std::acos(-1.0));
   EXPECT_EQ(masses.inertial_mass(1), 1.0) << "not new";
