@@ -2,9 +2,8 @@
 
 #include "core/input_error.h"
 #include "host/rank_sums.h"
+#include "host/restart_block.h"
 #include "packing/growth_law.h"
-
-#include <cstring>
 
 namespace encased_column {
 
@@ -74,18 +73,14 @@ double FixGrowRadius::min_rad(int)
 void FixGrowRadius::write_restart(FILE* file)
 {
   if (comm->me != 0) return;
-  const double saved[2] = {factor_, static_cast<double>(begin_)};
-  const int size = sizeof(saved);
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(saved, sizeof(saved), 1, file);
+  write_block(file, {factor_, static_cast<double>(begin_)}, "");
 }
 
 void FixGrowRadius::restart(char* buffer)
 {
-  double saved[2];
-  std::memcpy(saved, buffer, sizeof(saved));
-  factor_ = saved[0];
-  begin_ = static_cast<LAMMPS_NS::bigint>(saved[1]);
+  RestartBlock block(buffer);
+  factor_ = block.take();
+  begin_ = static_cast<LAMMPS_NS::bigint>(block.take());
   next_reneighbor = begin_ + 1;
 }
 

@@ -1,12 +1,11 @@
 #include "servo/rigid_wall.h"
 
 #include "host/rank_sums.h"
+#include "host/restart_block.h"
 
 #include "pair_gran.h"
 
 #include <algorithm>
-#include <cstring>
-#include <type_traits>
 
 namespace encased_column {
 
@@ -129,24 +128,26 @@ int RigidWall::modify_param(int narg, char** arg)
 
 void RigidWall::write_restart(FILE* file)
 {
-  static_assert(std::is_trivially_copyable_v<Saved>);
-  const Saved saved{work_on_grains(), position(), speed_, stress_now(), drive_};
-  if (comm->me != 0) return;
-  const int size = sizeof(Saved);
-  fwrite(&size, sizeof(int), 1, file);
-  fwrite(&saved, sizeof(Saved), 1, file);
+  const WallDrive::State drive = drive_.state();
+  std::vector<double> numbers{work_on_grains(), position(), speed_, stress_now()};
+  numbers.insert(numbers.end(), drive.begin(), drive.end());
+  if (comm->me == 0) write_block(file, numbers, "");
 }
 
 // The wall goes on as it did, but for what the fix line says of its drive.
 void RigidWall::restart(char* buffer)
 {
-  Saved saved;
-  std::memcpy(&saved, buffer, sizeof(Saved));
-  work_ = comm->me == 0 ? saved.work : 0.0;
-  speed_ = saved.speed;
-  set_position(saved.position);
-  drive_ = saved.drive;
-  drive_.read(on_fix_line_, update->ntimestep, saved.stress);
+  RestartBlock block(buffer);
+  const double work = block.take();
+  work_ = comm->me == 0 ? work : 0.0;
+  const double position = block.take();
+  speed_ = block.take();
+  set_position(position);
+  const double stress = block.take();  // where a ramp would start
+  WallDrive::State drive;
+  block.take(drive.data(), drive.size());
+  drive_.resume(drive);
+  drive_.read(on_fix_line_, update->ntimestep, stress);
 }
 
 }  // namespace encased_column

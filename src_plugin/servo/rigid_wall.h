@@ -64,12 +64,6 @@ class RigidWall : public ContactMemoryFix {
   void press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row);
   template <typename Row>
   void press_row(const GrainArrays& grains, Row& row);
-  /// The state in a restart file; the stress is where a ramp would start.
-  struct Saved {
-    double work, position, speed, stress;
-    WallDrive drive;
-  };
-
   double stress_now() const;
   void check_reach();
 

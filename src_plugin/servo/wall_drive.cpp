@@ -83,4 +83,35 @@ void WallDrive::count_step(double speed, double limit)
     steps_at_limit_ = std::min(steps_at_limit_, 0L) - 1;
 }
 
+WallDrive::State WallDrive::state() const
+{
+  const auto number = [](auto count) { return static_cast<double>(count); };
+  return {number(mode_),
+          velocity_,
+          target_,
+          ramp_from_,
+          number(ramp_start_),
+          number(ramp_steps_),
+          gain_,
+          memory_.even_speed,
+          speed_limit_,
+          number(patience_),
+          number(steps_at_limit_)};
+}
+
+void WallDrive::resume(const State& state)
+{
+  const auto count = [&state](std::size_t n) { return static_cast<long>(state[n]); };
+  mode_ = static_cast<Mode>(count(0));
+  velocity_ = state[1];
+  target_ = state[2];
+  ramp_from_ = state[3];
+  ramp_start_ = count(4);
+  ramp_steps_ = count(5);
+  gain_ = state[6];
+  memory_.even_speed = state[7];
+  speed_limit_ = state[8];
+  patience_ = count(9);
+  steps_at_limit_ = count(10);
+}
 }  // namespace encased_column

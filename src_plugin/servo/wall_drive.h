@@ -3,6 +3,7 @@
 #include "core/keyword_table.h"
 #include "servo/servo_law.h"
 
+#include <array>
 #include <cstdlib>
 #include <vector>
 
@@ -30,6 +31,11 @@ class WallDrive {
   /// Steps after `step` until the target stands still.
   long ramp_left(long step) const;
   long patience() const { return patience_; }
+
+  /// All it holds, in numbers, for a restart file.
+  using State = std::array<double, 11>;
+  State state() const;
+  void resume(const State& state);
 
  private:
   enum class Mode { hold, velocity, servo };
