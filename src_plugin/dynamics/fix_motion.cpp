@@ -4,6 +4,7 @@
 #include "dynamics/read_mass_rule.h"
 #include "host/pair_history.h"
 #include "host/restart_block.h"
+#include "host/run_clock.h"
 
 #include <cmath>
 
@@ -17,7 +18,6 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  use_settings();
   time_integrate = 1;
   time_depend = 1;  // contacts remember step numbers
   restart_global = 1;
@@ -27,14 +27,6 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   extvector = 0;
 }
 
-void FixMotion::use_settings()
-{
-  motion_.damping = settings_.damping;
-  motion_.free_speed_square = settings_.free_speed * settings_.free_speed;
-  mass_scaling.rule.step = settings_.step;
-  mass_scaling.rule.safety = settings_.safety;
-}
-
 int FixMotion::modify_param(int narg, char** arg)
 {
   try {
@@ -42,7 +34,6 @@ int FixMotion::modify_param(int narg, char** arg)
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  use_settings();
   return narg;
 }
 
@@ -54,7 +45,11 @@ int FixMotion::setmask()
 
 void FixMotion::init()
 {
+  motion_.damping = settings_.damping;
+  motion_.free_speed_square = settings_.free_speed * settings_.free_speed;
   MassScaling::Rule& rule = mass_scaling.rule;
+  rule.step = settings_.step;
+  rule.safety = settings_.safety;
   try {
     read_mass_rule(lmp, rule);
   } catch (const InputError& problem) {
@@ -89,18 +84,13 @@ void FixMotion::setup_pre_force(int)
                 ? Masses::wanted_in_set_up
                 : Masses::found;
   made_grains_ = false;
-  if (time_of_restart_) {  // the host goes on at the step of the file, but at time zero
-    update->atime = *time_of_restart_;
-    update->atimestep = update->ntimestep;
-    time_of_restart_.reset();
-  }
+  resume_time(lmp, time_of_restart_);
   pre_force(0);
 }
 
 // Where a deck's run ends, or a restart file is written, must not change the motion: a set-up alone
-// is no reason to find masses again. The host sets fixes up in the deck's order, and walls that
-// stand behind this fix add their contacts and forces only then: what `run 0` shows is found here,
-// what the first step uses at its start.
+// finds no masses again. Walls that stand behind this fix add contacts and forces only after it:
+// what `run 0` shows is found here, what the first step uses at its start.
 void FixMotion::setup(int)
 {
   if (masses_ == Masses::wanted_in_set_up) find_all_in_set_up();
@@ -150,11 +140,6 @@ void FixMotion::compute_unbalanced_ratio()
   ratio_ = encased_column::compute_unbalanced_ratio(sums, max_over_ranks(largest, world));
 }
 
-void FixMotion::complete_step()
-{
-  motion_.complete_step(grains(), mass_scaling, update->dt);
-}
-
 void FixMotion::initial_integrate(int)
 {
   if (masses_ == Masses::wanted_in_set_up) {
@@ -199,7 +184,7 @@ void FixMotion::add_contact(const Contact& contact)
   contacts_.add_contact(contact.force.norm(), contact.share);
 }
 
-// Masses before the last half kick, which is made with them; the step after it.
+// Masses first: the last half kick is made with them.
 void FixMotion::final_integrate()
 {
   motion_.end_step();

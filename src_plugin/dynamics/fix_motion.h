@@ -55,12 +55,11 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
   /// materials are new. The same on all ranks once a step begins.
   enum class Masses { found, wanted_in_set_up, wanted_in_step };
 
-  void use_settings();
   StepGrains grains() const;
   void admit_new_grains();
   void find_masses();
   void find_all_in_set_up();
-  void complete_step();
+  void complete_step() { motion_.complete_step(grains(), mass_scaling, update->dt); }
   void set_step();
   std::vector<double*> saved();
 
