@@ -5,7 +5,7 @@
 #include "contact/register_linear.h"
 #include "deck/record_variables_command.h"
 #include "deck/require_command.h"
-#include "dynamics/fix_gravity_of_motion.h"
+#include "host/fix_gravity_of_motion.h"
 #include "dynamics/fix_motion.h"
 #include "dynamics/solve_command.h"
 #include "host/fix_stop_request.h"

@@ -7,25 +7,38 @@ namespace encased_column {
 
 namespace {
 
-double largest_departure(const std::vector<double>& values, double target, std::size_t first)
+/// The larger of two; what is no number is larger than all, so that it passes no check.
+double worse(double a, double b)
 {
-  double largest = 0.0;
-  for (std::size_t i = first; i < values.size(); ++i)
-    largest = std::max(largest, std::abs(values[i] / target - 1.0));
-  return largest;
+  return b <= a || std::isnan(a) ? a : b;
 }
 
 double largest_magnitude(const std::vector<double>& values)
 {
   double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
+  for (const double value : values) largest = worse(largest, std::abs(value));
   return largest;
 }
 
-double relative_difference(double top, double bottom)
+/// Relative to the target; to the largest stress there was where the target is zero.
+double largest_departure(const std::vector<double>& values, double target, std::size_t first)
 {
-  const double mean = 0.5 * (top + bottom);
-  return mean == 0.0 ? 0.0 : (top - bottom) / mean;
+  double largest = 0.0;
+  for (std::size_t i = first; i < values.size(); ++i) {
+    const double departure = target != 0.0      ? std::abs(values[i] / target - 1.0)
+                             : values[i] == 0.0 ? 0.0
+                                                : std::abs(values[i]) / largest_magnitude(values);
+    largest = worse(largest, departure);
+  }
+  return largest;
+}
+
+/// Relative to the mean of both, or to the confining stress where that is larger: platens that lift
+/// off do not differ by a share of nothing.
+double relative_difference(double top, double bottom, double confining_stress)
+{
+  const double size = std::max(0.5 * (std::abs(top) + std::abs(bottom)), confining_stress);
+  return size == 0.0 ? 0.0 : (top - bottom) / size;
 }
 
 /// What the lower platen carries [Pa] if nothing but the platens bears the grains.
@@ -47,7 +60,8 @@ double platen_difference(const ShearRecord& record)
       SampledCurve(record.axial_strain, record.stress_bottom).window_means(check_averaging_width);
   double largest = 0.0;
   for (std::size_t i = 0; i < top.size(); ++i)
-    largest = std::max(largest, std::abs(relative_difference(top[i], bottom[i])));
+    largest = worse(
+        largest, std::abs(relative_difference(top[i], bottom[i], record.target_confining_stress)));
   return largest;
 }
 
@@ -56,7 +70,8 @@ std::vector<double> platen_differences(const ShearRecord& record)
   const std::vector<double> top = top_with_weight(record);
   std::vector<double> differences;
   for (std::size_t i = 0; i < top.size(); ++i)
-    differences.push_back(relative_difference(top[i], record.stress_bottom[i]));
+    differences.push_back(
+        relative_difference(top[i], record.stress_bottom[i], record.target_confining_stress));
   return differences;
 }
 

@@ -31,12 +31,12 @@ struct Check {
   bool required;     ///< false: told for information
   bool made = true;  ///< false: something it takes is missing; the name says what
   bool passed() const { return made && found <= allowed; }
-  bool missed() const { return made && found > allowed; }
+  bool missed() const { return made && !(found <= allowed); }
 };
 
 /// Largest share [-] by which the two platens' stresses differ, averaged over windows of
-/// `check_averaging_width`, relative to the mean of both. The upper one's stress counts with the
-/// weight of the grains on it; where that is not known, alone.
+/// `check_averaging_width`, relative to the mean of both, at least to the confining stress. The
+/// upper one's stress counts with the weight of the grains on it; where that is not known, alone.
 double platen_difference(const ShearRecord& record);
 
 /// The same at each sample, not averaged, signed: positive where the top carries more.

@@ -28,8 +28,8 @@ void ContactDesk::open(bool rolling)
   for (const ContactMaterial& m : materials_)
     if (m.damping_normal > 0.0 || m.damping_shear > 0.0) has_dashpots_ = true;
 
-  const auto movers = fixes_that_are<InertiaOwner>(lmp_);
-  inertia_ = movers.empty() ? nullptr : movers.front();
+  const auto movers = fixes_that_are<MassScalingOwner>(lmp_);
+  mass_scaling_ = movers.empty() ? nullptr : &movers.front()->mass_scaling;
   probes_ = fixes_that_are<ContactProbe>(lmp_);
   const auto accounts = fixes_that_are<ContactLossOwner>(lmp_);
   losses_ = accounts.empty() ? &no_account_ : &accounts.front()->contact_losses;

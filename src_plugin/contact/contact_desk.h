@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/rolling_row.h"
+#include "dynamics/mass_scaling.h"
 #include "host/contact_probe.h"
-#include "host/inertia_owner.h"
 
 #include <type_traits>
 #include <vector>
@@ -66,9 +66,9 @@ class ContactDesk {
   }
 
   /// Grain i touches a wall: its inertia must bear the contact's springs from this step on.
-  void bear_wall_contact(int i, const ContactStiffness& k)
+  void raise_mass_for_contact(int i, const ContactStiffness& k)
   {
-    if (inertia_) inertia_->bear_wall_contact(i, k.normal, k.shear);
+    if (mass_scaling_) mass_scaling_->raise_mass_for_contact(i, k.normal, k.shear);
   }
 
  private:
@@ -83,7 +83,7 @@ class ContactDesk {
   int stride_ = 0;
   bool has_dashpots_ = false;
   std::vector<ContactMaterial> materials_;
-  InertiaOwner* inertia_ = nullptr;
+  MassScaling* mass_scaling_ = nullptr;
   std::vector<ContactProbe*> probes_, active_;
   ContactLosses no_account_;
   ContactLosses* losses_ = &no_account_;

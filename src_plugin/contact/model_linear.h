@@ -91,7 +91,7 @@ class ContactModel<
     if (!s.computeflag) return;
     if (wall) {
       desk_.ask_probes();  // the host has no pass over walls
-      desk_.bear_wall_contact(s.i, action.stiffness);
+      desk_.raise_mass_for_contact(s.i, action.stiffness);
     }
     const double share = wall || s.j < lmp_->atom->nlocal ? 1.0 : 0.5;
     desk_.book(s.i, wall ? -1 : s.j, share, advance, touch, action);

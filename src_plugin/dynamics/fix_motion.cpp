@@ -1,85 +1,40 @@
 #include "dynamics/fix_motion.h"
 
-#include "core/constants.h"
 #include "core/input_error.h"
-#include "host/pair_property.h"
-#include "host/rank_sums.h"
-#include "host/require_grains.h"
+#include "dynamics/read_mass_rule.h"
+#include "host/pair_history.h"
+#include "host/restart_block.h"
+#include "host/run_clock.h"
 
-#include "memory.h"
-#include "pair_gran.h"
-
-#include <algorithm>
+#include <cmath>
 
 namespace encased_column {
 
-const KeywordTable FixMotion::keywords{
-    {"damping", 1, "-", "local damping alpha, 0 to 0.99 (default 0.7)"},
-    {"step", 1, "s",
-     "`stable`: true masses at the stable step (default); a number: that step, by density scaling"},
-    {"safety", 1, "-", "fraction f of the step sqrt(m/k), 0.01 to 1 (default 0.8)"},
-    {"every", 1, "steps", "how often stiffness, step and equilibrium are found anew (default 50)"},
-    {"free_speed", 1, "m/s",
-     "grains that touch nothing fly no faster than this, larger than zero (default: no limit)"},
-};
-
-namespace {
-
-/// The step [s] of `step NUMBER`, 0 for `step stable`.
-double read_step(const Options& options)
-{
-  const std::string step = options.word("step", "stable");
-  if (step == "stable") return 0.0;
-  try {
-    return options.positive("step");
-  } catch (const InputError&) {
-    throw InputError("'step' must be 'stable' or a number larger than zero, found '" + step +
-                     "', write 'step stable' or for example 'step 1e-6'");
-  }
-}
-
-}  // namespace
-
-FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : LAMMPS_NS::Fix(lmp, narg, arg)
+FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+    : GrainNumberFix(lmp, narg, arg, mass_scaling.inertial_masses())
 {
   try {
-    const Options options = keywords.read(narg, arg);
-    damping_ = options.between("damping", 0.0, 0.99, 0.7);
-    safety_ = options.between("safety", 0.01, 1.0, 0.8);
-    every_ = static_cast<int>(options.integer("every", 1, 50));
-    scaled_step_ = read_step(options);
-    read_free_speed(options);
+    settings_ = MotionSettings::read(narg, arg);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  require_grains(lmp, *this);
   time_integrate = 1;
   time_depend = 1;  // contacts remember step numbers
   restart_global = 1;
-  restart_peratom = 1;
-  create_attribute = 1;
   vector_flag = 1;
   size_vector = 6;
   global_freq = 1;
   extvector = 0;
-  grow_arrays(atom->nmax);
-  atom->add_callback(0);
-  atom->add_callback(1);
-  for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
 }
 
-FixMotion::~FixMotion()
+int FixMotion::modify_param(int narg, char** arg)
 {
-  atom->delete_callback(id, 0);
-  atom->delete_callback(id, 1);
-  memory->destroy(inertia_);
-}
-
-void FixMotion::read_free_speed(const Options& options)
-{
-  if (!options.has("free_speed")) return;
-  const double limit = options.positive("free_speed");
-  free_speed_square_ = limit * limit;
+  try {
+    settings_.modify(narg, arg, id);
+  } catch (const InputError& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+  return narg;
 }
 
 int FixMotion::setmask()
@@ -90,118 +45,216 @@ int FixMotion::setmask()
 
 void FixMotion::init()
 {
+  motion_.damping = settings_.damping;
+  motion_.free_speed_square = settings_.free_speed * settings_.free_speed;
+  MassScaling::Rule& rule = mass_scaling.rule;
+  rule.step = settings_.step;
+  rule.safety = settings_.safety;
   try {
-    auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
-    rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
-    const PairProperty modulus = read_pair_property(lmp, "contactModulus", 0.0, true);
-    const PairProperty ratio = read_pair_property(lmp, "stiffnessRatio", 0.0, true);
-    stiffest_material_ = 0.0;
-    const std::vector<int> types = types_that_count();
-    for (const int i : types)
-      for (const int j : types)
-        stiffest_material_ = std::max(stiffest_material_,
-                                      modulus.at(i, j) * decisive_ratio(ratio.at(i, j), rolling_));
-    if (scaled_step_ > 0.0)
-      for (const char* name : {"dampingRatioNormal", "dampingRatioShear"}) {
-        const PairProperty ratio = read_pair_property(lmp, name, 0.0, false, 0.0);
-        for (int i = 1; i <= atom->ntypes; ++i)
-          for (int j = 1; j <= atom->ntypes; ++j)
-            if (ratio.at(i, j) > 0.0)
-              throw InputError(std::string("'") + name +
-                               "' must be 0 with density scaling, found " +
-                               in_words(ratio.at(i, j)) + ", write 'step stable' or no dashpots");
-      }
+    read_mass_rule(lmp, rule);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  if (!(rule_ == rule_now())) anew_ = true;
-  rule_ = rule_now();
-  if (scaled_step_ > 0.0)
-    update->dt = scaled_step_;
-  else if (!anew_ && stable_step_ > 0.0)
-    update->dt = stable_step_;
-  setting_up_ = true;
-  find_onlookers();
+  if (!(rule == found_with_)) masses_ = Masses::wanted_in_set_up;
+  found_with_ = rule;
+  if (rule.scales())
+    update->dt = rule.step;
+  else if (masses_ != Masses::wanted_in_set_up && found_.stable_step > 0.0)
+    update->dt = found_.stable_step;
+  stage_ = Stage::set_up;
+  watchers_.find(lmp, this);
 }
 
-/// Atom types a grain may meet. With density scaling those of grains: of walls it hears at the
-/// first touch. True masses cannot wait for that.
-std::vector<int> FixMotion::types_that_count() const
+StepGrains FixMotion::grains() const
 {
-  std::vector<double> seen(atom->ntypes, scaled_step_ > 0.0 ? 0.0 : 1.0);
-  for (int i = 0; i < atom->nlocal; ++i) seen[atom->type[i] - 1] = 1.0;
-  sum_over_ranks(seen.data(), seen.size(), world);
-  std::vector<int> types;
-  for (int t = 0; t < atom->ntypes; ++t)
-    if (seen[t] > 0.0) types.push_back(t + 1);
-  return types;
+  if (atom->nlocal == 0) return {};
+  return {{atom->v[0], atom->omega[0], atom->radius, atom->rmass, atom->nlocal},
+          atom->x[0],
+          atom->f[0],
+          atom->torque[0],
+          igroup == 0 ? nullptr : atom->mask,
+          groupbit};
 }
 
-bool FixMotion::Rule::operator==(const Rule& other) const
+void FixMotion::setup_pre_force(int)
 {
-  return fixed_step == other.fixed_step && safety == other.safety &&
-         stiffest_material == other.stiffest_material && rolling == other.rolling;
+  stage_ = Stage::set_up;
+  force_start_.take_over(lmp, this, watchers_.look_always());
+  masses_ = on_any_rank(masses_ == Masses::wanted_in_set_up || made_grains_, world)
+                ? Masses::wanted_in_set_up
+                : Masses::found;
+  made_grains_ = false;
+  resume_time(lmp, time_of_restart_);
+  pre_force(0);
 }
 
 // Where a deck's run ends, or a restart file is written, must not change the motion: a set-up alone
-// is no reason to look anew. The host sets fixes up in the deck's order, and walls that stand
-// behind this fix add their contacts and forces only then: what `run 0` shows is taken here, what
-// the first step uses is taken at its start.
-//
+// finds no masses again. Walls that stand behind this fix add contacts and forces only after it:
+// what `run 0` shows is found here, what the first step uses at its start.
 // The host calls set_arrays() at the first set-up of a new fix, but not of one that comes from a
 // restart file: there the file says so.
 void FixMotion::setup(int)
 {
   if (restored_made_grains_) made_grains_ = true;
   restored_made_grains_ = false;
-  if (anew_) look_anew();
+  if (masses_ == Masses::wanted_in_set_up) find_all_in_set_up();
 }
 
-void FixMotion::look_anew()
+void FixMotion::find_all_in_set_up()
 {
-  keep_momentum();
-  set_inertia();
-  weigh_equilibrium();
+  admit_new_grains();
+  find_masses();
+  compute_unbalanced_ratio();
+  set_step();
 }
 
-double FixMotion::damping_loss() const
+/// Outside a step, before whose first kick no way was gone.
+void FixMotion::admit_new_grains()
 {
-  return sum_over_ranks(loss_, world);
+  mass_scaling.begin_step(grains(), false);
+  mass_scaling.admit_new_grains();
+}
+
+void FixMotion::find_masses()
+{
+  const MassScaling::Found found = mass_scaling.set_masses();
+  motion_.loss += mass_scaling.take_loss();
+  found_ = {min_over_ranks(found.stable_step, world), max_over_ranks(found.largest_factor, world)};
+}
+
+void FixMotion::set_step()
+{
+  if (mass_scaling.rule.scales() || atom->natoms == 0) return;
+  update->update_time();  // with the step that was made
+  update->dt = found_.stable_step;
+}
+
+void FixMotion::compute_unbalanced_ratio()
+{
+  ForceSums sums = contacts_;
+  const double largest =
+      atom->nlocal ? sums.add_grains(atom->f[0], atom->mask, groupbit, atom->nlocal) : 0.0;
+  sum_over_ranks(&sums.unbalanced, sizeof(ForceSums) / sizeof(double), world);
+  if (!std::isfinite(sums.unbalanced + sums.contact))
+    error->fix_error(
+        FLERR, this,
+        ("the forces on the grains are not numbers at step " + std::to_string(update->ntimestep) +
+         ", go back to the last restart file with a smaller step")
+            .c_str());
+  ratio_ = encased_column::compute_unbalanced_ratio(sums, max_over_ranks(largest, world));
+}
+
+void FixMotion::initial_integrate(int)
+{
+  if (masses_ == Masses::wanted_in_set_up) {
+    complete_step();  // with the masses and the step it was made with
+    find_all_in_set_up();
+    masses_ = Masses::found;
+  }
+  stage_ = Stage::in_steps;
+  if (made_grains_) admit_new_grains();  // made at the end of a step
+  motion_.begin_step(grains(), mass_scaling, update->dt, force_start_.gravity(),
+                     force_start_.weight());
+  force_start_.set_started();
+}
+
+// New grains come with new lists, and maybe on one rank alone.
+void FixMotion::pre_force(int)
+{
+  const bool new_lists = neighbor->ago == 0;
+  mass_scaling.begin_step(grains(), stage_ == Stage::in_steps);
+  if (new_lists) {
+    mass_scaling.admit_new_grains();
+    if (on_any_rank(made_grains_, world)) masses_ = Masses::wanted_in_step;
+    made_grains_ = false;
+  }
+  if (force_start_.is_due(new_lists) && atom->nlocal)
+    start_sums(grains(), 0, atom->nlocal, *force_start_.weight());
+  if (!wants_contacts(update->ntimestep)) return;
+  mass_scaling.clear_contacts();
+  contacts_ = {};
+}
+
+bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
+{
+  return stage_ == Stage::set_up || masses_ == Masses::wanted_in_step ||
+         step % settings_.every == 0;
+}
+
+void FixMotion::add_contact(const Contact& contact)
+{
+  mass_scaling.add_contact(contact.i, contact.j, contact.normal, contact.normal_stiffness,
+                           contact.shear_stiffness);
+  contacts_.add_contact(contact.force.norm(), contact.share);
+}
+
+// Masses first: the last half kick is made with them.
+void FixMotion::final_integrate()
+{
+  motion_.end_step();
+  const bool finds = wants_contacts(update->ntimestep);
+  if (!finds && !watchers_.look_now(lmp)) return;
+  if (finds) find_masses();
+  complete_step();
+  if (!finds) return;
+  masses_ = Masses::found;
+  compute_unbalanced_ratio();
+  set_step();
+}
+
+void FixMotion::post_run()
+{
+  complete_step();
+  force_start_.give_back(lmp);
 }
 
 double FixMotion::compute_vector(int n)
 {
-  switch (n) {
-    case 0:
-      return equilibrium_.average;
-    case 1:
-      return equilibrium_.maximum;
-    case 2:
-      return stable_step_;
-    case 3:
-      return largest_factor_;
-    case 4:
-      return damping_loss();
-    default:
-      return equilibrium_.contacts;
-  }
+  if (n == 4) return damping_loss();
+  const double values[] = {
+      ratio_.average, ratio_.maximum, found_.stable_step, found_.largest_factor, 0.0,
+      ratio_.contacts};
+  return values[n];
 }
 
-int FixMotion::modify_param(int narg, char** arg)
+/// In a restart file, in this order.
+std::vector<double*> FixMotion::saved()
+{
+  return {&found_.largest_factor, &found_.stable_step,
+          &ratio_.average,        &ratio_.maximum,
+          &ratio_.contacts,       &found_with_.step,
+          &found_with_.safety,    &found_with_.stiffest_material};
+}
+
+// Called before the host packs the grains: what a signal asks for comes at any step.
+void FixMotion::write_restart(FILE* file)
+{
+  complete_step();
+  save_pair_history(lmp);
+  const bool made_grains = on_any_rank(made_grains_, world);
+  const bool wanted = made_grains || masses_ == Masses::wanted_in_set_up;
+  std::vector<double> numbers{update->get_cur_time(), damping_loss(), wanted ? 1.0 : 0.0,
+                              made_grains ? 1.0 : 0.0, found_with_.rolling ? 1.0 : 0.0};
+  if (comm->me != 0) return;
+  for (const double* number : saved()) numbers.push_back(*number);
+  write_block(file, numbers, "");
+}
+
+void FixMotion::restart(char* buffer)
 {
   try {
-    const Options options = keywords.read(narg, arg, 0);
-    damping_ = options.between("damping", 0.0, 0.99, damping_);
-    read_free_speed(options);
-    for (const char* fixed : {"step", "safety", "every"})
-      if (options.has(fixed))
-        throw InputError("'fix_modify " + std::string(id) +
-                         "' changes 'damping' and 'free_speed' only, found '" + fixed +
-                         "', make a new fix for the rest");
+    RestartBlock block(buffer);
+    time_of_restart_ = block.take();
+    const double loss = block.take();
+    motion_.loss = comm->me == 0 ? loss : 0.0;
+    masses_ = block.take() > 0.0 ? Masses::wanted_in_set_up : Masses::found;
+    restored_made_grains_ = block.take() > 0.0;
+    found_with_.rolling = block.take() > 0.0;
+    for (double* number : saved()) *number = block.take();
+    made_grains_ = false;  // none of those in the file is new
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  return narg;
 }
 
 }  // namespace encased_column

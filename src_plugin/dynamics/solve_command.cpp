@@ -88,7 +88,7 @@ void SolveCommand::command(int narg, char** arg)
     const long piece = std::min(every - static_cast<long>(update->ntimestep % every), max - done);
     run_piece(piece);
     done += piece;
-    const Equilibrium& e = motion->equilibrium();
+    const UnbalancedForceRatio& e = motion->unbalanced_ratio();
     ratio = which == "average" ? e.average : e.maximum;
     is_reached = ratio <= limit && done >= least;
     if (is_reached)

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/resolve_contact.h"
-#include "host/blind_to_velocity.h"
 #include "host/host_types.h"
+#include "host/ignores_velocity.h"
 
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace encased_column {
 /// when grains change places or ranks and into restart files. The memories lie side by side in the
 /// order of the wall's list: rows as far apart as their grains in the host's arrays took two fifths
 /// of the time to find the contacts.
-class ContactMemoryFix : public LAMMPS_NS::Fix, public BlindToVelocity {
+class ContactMemoryFix : public LAMMPS_NS::Fix, public IgnoresVelocity {
  public:
   ContactMemoryFix(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~ContactMemoryFix() override;

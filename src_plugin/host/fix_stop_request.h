@@ -1,13 +1,13 @@
 #pragma once
 
-#include "host/blind_to_velocity.h"
+#include "host/ignores_velocity.h"
 #include "host/host_types.h"
 
 namespace encased_column {
 
 /// Stands first in every run, unseen by the deck: gives the host a request of signals
 /// (stop_request.h) at a step on which all ranks agree.
-class FixStopRequest : public LAMMPS_NS::Fix, public BlindToVelocity {
+class FixStopRequest : public LAMMPS_NS::Fix, public IgnoresVelocity {
  public:
   using Fix::Fix;
 

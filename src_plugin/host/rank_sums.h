@@ -24,6 +24,11 @@ inline double max_over_ranks(double value, MPI_Comm world)
   return value;
 }
 
+inline bool on_any_rank(bool here, MPI_Comm world)
+{
+  return max_over_ranks(here ? 1.0 : 0.0, world) > 0.0;
+}
+
 inline double min_over_ranks(double value, MPI_Comm world)
 {
   return -max_over_ranks(-value, world);

@@ -31,4 +31,14 @@ class RunClock {
   double before_ = 0.0;               ///< of the runs before a restart [s]
 };
 
+/// In the set-up of the first run after a restart: the host goes on at the step of the file, but at
+/// time zero.
+inline void resume_time(LAMMPS_NS::LAMMPS* lmp, std::optional<double>& time_of_restart)
+{
+  if (!time_of_restart) return;
+  lmp->update->atime = *time_of_restart;
+  lmp->update->atimestep = lmp->update->ntimestep;
+  time_of_restart.reset();
+}
+
 }  // namespace encased_column

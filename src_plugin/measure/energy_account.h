@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace encased_column {
@@ -17,18 +18,57 @@ struct EnergyAccount {
   double damping = 0.0;
 };
 
-/// What does not close between two states, as a fraction of the energy that was at hand: stored at
-/// the start plus the platens' and the side's work, in absolute terms. Work in = gain + lost.
-inline double energy_error(const EnergyAccount& start, const EnergyAccount& now)
+/// Energy [J] between two states, both sides of the account, neither below zero.
+struct EnergyFlow {
+  double in = 0.0;   ///< stored and kinetic at the start, works on the grains
+  double out = 0.0;  ///< stored and kinetic now, works of the grains, losses
+};
+
+inline EnergyFlow energy_flow(const EnergyAccount& start, const EnergyAccount& now)
 {
-  const double platens = now.work_platens - start.work_platens;
-  const double side = now.work_side - start.work_side;
-  const double gravity = now.work_gravity - start.work_gravity;
-  const double gain = now.elastic - start.elastic + now.kinetic - start.kinetic;
-  const double lost = now.friction - start.friction + now.rolling - start.rolling + now.dashpots -
-                      start.dashpots + now.damping - start.damping;
-  const double at_hand = start.elastic + std::abs(platens) + std::abs(side);
-  return at_hand > 0.0 ? std::abs(platens + side + gravity - gain - lost) / at_hand : 0.0;
+  EnergyFlow flow{start.elastic + start.kinetic, now.elastic + now.kinetic};
+  for (const auto work :
+       {&EnergyAccount::work_platens, &EnergyAccount::work_side, &EnergyAccount::work_gravity}) {
+    const double done = now.*work - start.*work;
+    (done > 0.0 ? flow.in : flow.out) += std::abs(done);
+  }
+  for (const auto loss : {&EnergyAccount::friction, &EnergyAccount::rolling,
+                          &EnergyAccount::dashpots, &EnergyAccount::damping}) {
+    const double lost = now.*loss - start.*loss;
+    (lost > 0.0 ? flow.out : flow.in) += std::abs(lost);
+  }
+  return flow;
 }
+
+/// What does not close since a start, as a fraction of all energy that took part: of the larger
+/// side of the account, at the time when that was largest. So it is 1 where energy comes from
+/// nothing, and round-off where a specimen has given back all it had stored.
+class EnergyBalance {
+ public:
+  void start(const EnergyAccount& account)
+  {
+    start_ = account;
+    most_ = 0.0;
+  }
+  /// Of a restart file.
+  void resume(const EnergyAccount& start, double most)
+  {
+    start_ = start;
+    most_ = most;
+  }
+  /// The fraction [-] at a state, which counts from then on as one that was seen.
+  double error(const EnergyAccount& now)
+  {
+    const EnergyFlow flow = energy_flow(start_, now);
+    most_ = std::max({most_, flow.in, flow.out});
+    return most_ > 0.0 ? std::abs(flow.in - flow.out) / most_ : 0.0;
+  }
+  const EnergyAccount& at_start() const { return start_; }
+  double most() const { return most_; }  ///< energy [J] seen on one side of the account
+
+ private:
+  EnergyAccount start_;
+  double most_ = 0.0;
+};
 
 }  // namespace encased_column

@@ -3,7 +3,7 @@
 #include "core/keyword_table.h"
 #include "files/csv_series.h"
 #include "files/vtk_series.h"
-#include "host/blind_to_velocity.h"
+#include "host/ignores_velocity.h"
 #include "host/contact_counter.h"
 #include "host/output_files.h"
 #include "host/run_clock.h"
@@ -21,7 +21,7 @@ namespace encased_column {
 class FixMeasureSphere : public LAMMPS_NS::Fix,
                          public ContactProbe,
                          public SeriesOwner,
-                         public BlindToVelocity {
+                         public IgnoresVelocity {
  public:
   static const KeywordTable keywords;
   static std::vector<TableText> tables();

@@ -112,7 +112,7 @@ void FixSpecimenHistory::add_contact(const Contact& contact)
 void FixSpecimenHistory::setup(int)
 {
   if (before_.state.height != 0.0 && !reference_wanted_) return;
-  motion_->weigh_equilibrium();
+  motion_->compute_unbalanced_ratio();
   reference_wanted_ = true;
   take_sample();
   write_row();
@@ -154,13 +154,17 @@ void FixSpecimenHistory::take_sample()
   check_grains(before_.state.height == 0.0);
   SpecimenSample sample{};
   sample.now = now();
-  if (reference_wanted_) before_ = sample.now;
+  if (reference_wanted_) {
+    before_ = sample.now;
+    balance_.start(before_.energy);
+  }
   reference_wanted_ = false;
   sample.step = static_cast<double>(update->ntimestep);
   sample.before = before_;
   sample.sums = sums_.numbers();
   sample.closing_speed = specimen().platens().closing_speed();
-  sample.equilibrium = motion_->equilibrium();
+  sample.unbalanced_ratio = motion_->unbalanced_ratio();
+  sample.energy_error = balance_.error(sample.now.energy);
   row_.clear();
   add_numbers(specimen_columns(), sample, row_);
 }
@@ -215,13 +219,14 @@ int FixSpecimenHistory::modify_param(int narg, char** arg)
   return narg;
 }
 
-/// What strains and works count from, the losses, the last row.
+/// What strains and works count from, the energy that took part, the losses, the last row.
 void FixSpecimenHistory::write_restart(FILE* file)
 {
   double losses[3] = {contact_losses.friction, contact_losses.rolling, contact_losses.dashpots};
   sum_over_ranks(losses, 3, world);
   if (comm->me != 0) return;
   std::vector<double> numbers(before_.first(), before_.first() + SpecimenMoment::count);
+  numbers.push_back(balance_.most());
   numbers.insert(numbers.end(), losses, losses + 3);
   numbers.insert(numbers.end(), row_.begin(), row_.end());
   write_block(file, numbers, "");
@@ -233,6 +238,7 @@ void FixSpecimenHistory::restart(char* buffer)
   try {
     RestartBlock block(buffer);
     block.take(before_.first(), SpecimenMoment::count);
+    balance_.resume(before_.energy, block.take());
     const double friction = block.take(), rolling = block.take(), dashpots = block.take();
     block.take(row_.data(), row_.size());
     if (comm->me != 0) return;

@@ -58,6 +58,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   ContactCounter contacts_of_;
   SpecimenSums sums_;
   SpecimenMoment before_;  ///< what strains, works and losses count from
+  EnergyBalance balance_;
   std::vector<double> row_;
   OutputFiles files_;
   CsvSeries file_;

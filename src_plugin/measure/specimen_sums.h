@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/equilibrium.h"
+#include "dynamics/unbalanced_force_ratio.h"
 #include "measure/energy_account.h"
 #include "measure/seen_contact.h"
 #include "specimen/specimen.h"
@@ -61,7 +61,8 @@ struct SpecimenSample {
   SpecimenMoment before, now;  ///< strains, works and losses count from the first
   SpecimenSums::Numbers sums;
   double closing_speed;  ///< of the platens [m/s]
-  Equilibrium equilibrium;
+  UnbalancedForceRatio unbalanced_ratio;
+  double energy_error;  ///< [-]
 
   double mean_stress() const;  ///< [Pa]
   /// Stress [Pa] of the grains of the core from a sum of their Love-Weber products [J], spread over

@@ -2,7 +2,7 @@
 
 #include "core/keyword_table.h"
 #include "files/vtk_series.h"
-#include "host/blind_to_velocity.h"
+#include "host/ignores_velocity.h"
 #include "host/output_files.h"
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace encased_column {
 
 /// `fix output/collection`: one file that opens the series of several fixes together in ParaView.
-class FixOutputCollection : public LAMMPS_NS::Fix, public BlindToVelocity {
+class FixOutputCollection : public LAMMPS_NS::Fix, public IgnoresVelocity {
  public:
   static const KeywordTable keywords;
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "host/blind_to_velocity.h"
+#include "host/ignores_velocity.h"
 #include "host/output_files.h"
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace encased_column {
 
 /// `fix output/restart`: one restart file that is whole at any moment, whatever ends the run.
-class FixOutputRestart : public LAMMPS_NS::Fix, public BlindToVelocity {
+class FixOutputRestart : public LAMMPS_NS::Fix, public IgnoresVelocity {
  public:
   static const KeywordTable keywords;
 

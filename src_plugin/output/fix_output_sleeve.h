@@ -4,7 +4,7 @@
 #include "files/column.h"
 #include "files/csv_series.h"
 #include "files/vtk_series.h"
-#include "host/blind_to_velocity.h"
+#include "host/ignores_velocity.h"
 #include "host/output_files.h"
 #include "host/run_clock.h"
 #include "shell/sleeve_profile.h"
@@ -20,7 +20,7 @@ class FixMeshSurfaceShell;
 
 /// `fix output/sleeve`: a sleeve as a time series that ParaView opens, its profile over the height
 /// at the same times, and its curves.
-class FixOutputSleeve : public LAMMPS_NS::Fix, public SeriesOwner, public BlindToVelocity {
+class FixOutputSleeve : public LAMMPS_NS::Fix, public SeriesOwner, public IgnoresVelocity {
  public:
   static const KeywordTable keywords;
   static std::vector<TableText> tables();

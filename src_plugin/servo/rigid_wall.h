@@ -136,7 +136,7 @@ void RigidWall::press_row(const GrainArrays& grains, Row& row)
   for (int n = 0; n < row.count(); ++n) {
     const int i = row.i(n);
     const ContactStiffness stiffness = row.stiffness(n);
-    if (row.is_new(n, step) || all_are_new_) desk_.bear_wall_contact(i, stiffness);
+    if (row.is_new(n, step) || all_are_new_) desk_.raise_mass_for_contact(i, stiffness);
     as_vec3(grains.force + 3 * i) += row.force(n);
     as_vec3(grains.moment + 3 * i) += row.moment_i(n);
     own_load_.force += row.normal_force(n);

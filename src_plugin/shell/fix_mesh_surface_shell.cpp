@@ -144,7 +144,7 @@ void FixMeshSurfaceShell::press(bool advance_memory)
     const ContactAction action = resolve_contact<rolling>(
         stiffened(desk_.material(grains.type[i], type_), contact.merged), touch, update->dt, step,
         advance_memory, contact_memory(contact.n));
-    desk_.bear_wall_contact(i, action.stiffness);
+    desk_.raise_mass_for_contact(i, action.stiffness);
     as_vec3(grains.force + 3 * i) += action.force;
     as_vec3(grains.moment + 3 * i) += action.moment_i;
     desk_.book(i, -1, 1.0, advance_memory, touch, action);

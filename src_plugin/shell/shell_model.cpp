@@ -1,6 +1,7 @@
 #include "shell/shell_model.h"
 
 #include "dynamics/local_damping.h"
+#include "dynamics/mass_scaling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -196,19 +197,12 @@ double ShellModel::scale_masses(const std::vector<StiffnessBound>& bound, double
 {
   const double need = dt * dt / (factor * factor);
   double taken = 0.0;
-  const auto set = [&taken](double& inertia, double wanted, Vec3& velocity) {
-    if (wanted > inertia) {
-      const double part = inertia / wanted;
-      taken += 0.5 * inertia * velocity.squaredNorm() * (1.0 - part);
-      velocity *= part;
-    }
-    inertia = wanted;
-  };
   for (int i = 0; i < nodes(); ++i) {
-    set(mass_[i],
-        std::max(from_true_masses ? true_mass_[i] : mass_[i], need * bound[i].translation),
+    taken += change_inertia(
+        mass_[i], std::max(from_true_masses ? true_mass_[i] : mass_[i], need * bound[i].translation),
         velocity_[i]);
-    set(inertia_[i],
+    taken += change_inertia(
+        inertia_[i],
         std::max(from_true_masses ? true_inertia_[i] : inertia_[i], need * bound[i].rotation),
         angular_velocity_[i]);
   }

@@ -84,8 +84,8 @@ class ShellModel {
   /// 2, because the sum of the bounds is never below the largest eigenvalue.
   double stable_step(const std::vector<StiffnessBound>& bound, double factor) const;
   /// Raises masses and inertias where `dt` [s] asks for it, from the true ones if
-  /// `from_true_masses`, else from what they are. A node that gets heavier keeps its momentum;
-  /// returns the energy [J] that this takes out.
+  /// `from_true_masses`, else from what they are, as change_inertia() does; returns the energy [J]
+  /// that this takes out.
   double scale_masses(const std::vector<StiffnessBound>& bound, double dt, double factor,
                       bool from_true_masses = false);
   /// Total mass over the true one [-].

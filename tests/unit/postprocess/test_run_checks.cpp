@@ -140,3 +140,35 @@ TEST(RunChecks, FindTheLargestInertialNumberAndEnergyErrorOfEitherSign)
   record.energy_error[9] = -0.05;
   EXPECT_EQ(failures(record).size(), 2u);
 }
+
+TEST(RunChecks, OfPlatensThatLiftOffAreAShareOfTheConfiningStress)
+{
+  ShearRecord record = good_record();
+  record.stress_top.assign(record.stress_top.size(), 1e-9);
+  record.stress_bottom.assign(record.stress_bottom.size(), -1e-9);
+  EXPECT_NEAR(platen_difference(record), 2e-9 / 100e3, 1e-20);
+  record.stress_top.assign(record.stress_top.size(), 4e3);
+  EXPECT_NEAR(platen_difference(record), 0.04, 1e-12);
+}
+
+TEST(RunChecks, OfATargetOfZeroFindTheStressThatIsThere)
+{
+  ShearRecord record = good_record();
+  record.target_confining_stress = 0.0;
+  EXPECT_EQ(run_checks(record, true)[0].found, 1.0);
+  record.confining_stress.assign(record.confining_stress.size(), 0.0);
+  EXPECT_EQ(run_checks(record, true)[0].found, 0.0);
+}
+
+TEST(RunChecks, DoNotPassWhatIsNoNumber)
+{
+  for (std::vector<double> ShearRecord::*column :
+       {&ShearRecord::confining_stress, &ShearRecord::stress_top, &ShearRecord::inertial_number,
+        &ShearRecord::energy_error}) {
+    ShearRecord record = good_record();
+    (record.*column)[50] = std::nan("");
+    const auto checks = run_checks(record, true);
+    EXPECT_TRUE(
+        std::any_of(checks.begin(), checks.end(), [](const Check& c) { return c.missed(); }));
+  }
+}

@@ -116,3 +116,22 @@ TEST(Collision, OfEqualGrainsWithDashpotHasTheRestitutionOfTheirPair)
   EXPECT_NEAR(outcome.value("vx[1]"), 0.05 * (1.0 - e), 1e-5);
   EXPECT_NEAR(outcome.value("vx[2]"), 0.05 * (1.0 + e), 1e-5);
 }
+
+// Only gravity works, and the walls are held. The upper one presses the grain by 1e-15 m at the
+// start: over that elastic energy alone, round-off was a million.
+TEST(FreeFall, ClosesTheAccountOfEnergyToRoundOff)
+{
+  for (const std::string step : {"stable", "1e-3"}) {
+    const Outcome outcome =
+        run_well(material(7e6, 0.5) + grain(0, 0, 0.15) + grain_size + gravity +
+                 "fix side all servo/cylinder radius 0.05 platens top bottom type 2\n" +
+                 platen("top", 0.16 - 1e-15) + platen("bottom", 0.0) +
+                 "fix move all motion damping 0 step " + step +
+                 "\nfix history all specimen/history platens top bottom side side motion move "
+                 "every 50\nrun 200\n" +
+                 print_numbers("f_history[31] f_history[26] f_history[24]"));
+    EXPECT_LT(outcome.value("f_history[31]"), 1e-12);
+    EXPECT_GT(outcome.value("f_history[26]"), 1e-8) << "it falls";
+    EXPECT_GT(outcome.value("f_history[24]"), 1e-8);
+  }
+}

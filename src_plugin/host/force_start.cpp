@@ -1,0 +1,56 @@
+#include "host/force_start.h"
+
+#include "host/fix_gravity_of_motion.h"
+#include "host/force_clearing.h"
+#include "host/gravity.h"
+#include "host/ignores_velocity.h"
+
+namespace encased_column {
+
+namespace {
+
+/// True where a fix of the host acts at one of `stages`, up to the fix `last` in the deck's order.
+bool others_act(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, int stages,
+                const LAMMPS_NS::Fix* last)
+{
+  for (int n = 0; n < lmp->modify->nfix; ++n) {
+    const LAMMPS_NS::Fix* const fix = lmp->modify->fix[n];
+    if (fix == last) return false;
+    const bool ours = fix == motion || dynamic_cast<const IgnoresVelocity*>(fix) ||
+                      dynamic_cast<const ContactProbe*>(fix);
+    if (!ours && (lmp->modify->fmask[n] & stages)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+// Grains outside the group are the host's, and what else its integrator clears. Others may add
+// forces before the pairs', or want those before the weight. What a `fix gravity` behind the motion
+// is like it knows only after its init().
+void ForceStart::take_over(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, bool watched)
+{
+  using namespace LAMMPS_NS::FixConst;
+  const LAMMPS_NS::Atom* const atom = lmp->atom;
+  gravity_ = gravity_of(lmp);
+  const bool ours = motion->igroup == 0 && !watched &&
+                    !others_act(lmp, motion, PRE_FORCE, nullptr) && !lmp->neighbor->includegroup &&
+                    !atom->erforce_flag && !atom->e_flag && !atom->rho_flag;
+  sums_ = ours ? Sums::ours : Sums::of_host;
+  const auto gravities = fixes_that_are<FixGravityOfMotion>(lmp);
+  const bool with_weight = ours && gravities.size() == 1 && gravities.front()->is_plain() &&
+                           !others_act(lmp, motion, POST_FORCE, gravities.front());
+  weight_ = with_weight ? gravity_ : Vec3::Zero();
+  for (FixGravityOfMotion* gravity : gravities) gravity->leave_weight(with_weight);
+  ForceClearing::leave_to_us(lmp->update->integrate, ours);
+}
+
+void ForceStart::give_back(LAMMPS_NS::LAMMPS* lmp)
+{
+  sums_ = Sums::of_host;
+  ForceClearing::leave_to_us(lmp->update->integrate, false);
+  for (FixGravityOfMotion* gravity : fixes_that_are<FixGravityOfMotion>(lmp))
+    gravity->leave_weight(false);
+}
+
+}  // namespace encased_column

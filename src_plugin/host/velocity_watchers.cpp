@@ -1,0 +1,33 @@
+#include "host/velocity_watchers.h"
+
+#include "host/ignores_velocity.h"
+
+#include "output.h"
+
+#include <algorithm>
+
+namespace encased_column {
+
+void VelocityWatchers::find(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion)
+{
+  using namespace LAMMPS_NS::FixConst;
+  constexpr int in_between = PRE_INITIAL_INTEGRATE | INITIAL_INTEGRATE | ITERATE_IMPLICITLY |
+                             PRE_FINAL_INTEGRATE | FINAL_INTEGRATE;
+  look_always_ = false;
+  every_.clear();
+  for (int n = 0; n < lmp->modify->nfix; ++n) {
+    const LAMMPS_NS::Fix* const fix = lmp->modify->fix[n];
+    if (fix == motion || dynamic_cast<const IgnoresVelocity*>(fix)) continue;
+    if (lmp->modify->fmask[n] & END_OF_STEP) every_.push_back(std::max(fix->nevery, 1));
+    if (lmp->modify->fmask[n] & in_between) look_always_ = true;
+  }
+}
+
+bool VelocityWatchers::look_now(LAMMPS_NS::LAMMPS* lmp) const
+{
+  const LAMMPS_NS::bigint step = lmp->update->ntimestep;
+  if (look_always_ || step == lmp->update->laststep || step == lmp->output->next) return true;
+  return std::any_of(every_.begin(), every_.end(), [step](int every) { return step % every == 0; });
+}
+
+}  // namespace encased_column

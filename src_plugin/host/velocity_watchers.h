@@ -1,0 +1,25 @@
+#pragma once
+
+#include "host/host_types.h"
+
+#include <vector>
+
+namespace encased_column {
+
+/// Who looks at the velocities of grains, and when. A fix that is not an IgnoresVelocity may do so
+/// wherever it acts.
+class VelocityWatchers {
+ public:
+  /// Before a run; `motion` is the fix that asks.
+  void find(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion);
+  /// In the middle of every step.
+  bool look_always() const { return look_always_; }
+  /// At the end of the step that is made.
+  bool look_now(LAMMPS_NS::LAMMPS* lmp) const;
+
+ private:
+  bool look_always_ = false;
+  std::vector<int> every_;  ///< steps
+};
+
+}  // namespace encased_column
