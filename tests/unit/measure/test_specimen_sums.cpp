@@ -19,7 +19,7 @@ constexpr int across = 4, up = 9;  // cells
 SpecimenSums lattice_sums()
 {
   SpecimenSums sums;
-  sums.start(0.0, up * edge, Vec3::Zero());
+  sums.start({0.0, up * edge}, Vec3::Zero());
   for (int i = 0; i < across; ++i)
     for (int j = 0; j < across; ++j)
       for (int k = 0; k < up; ++k) {

@@ -23,7 +23,7 @@ SphereSampler sampler_of(const std::vector<std::string>& words)
 std::vector<SphereRow> measured_across_a_border(const std::vector<std::string>& spheres)
 {
   SphereSampler sampler = sampler_of(spheres);
-  sampler.start({Vec3::Zero(), Vec3::Ones(), {true, false, false}}, 0.0, 0.0);
+  sampler.start({Vec3::Zero(), Vec3::Ones(), {true, false, false}}, {0.0, 0.0});
   const Vec3 left(0.95, 0.5, 0.5), right(0.04, 0.5, 0.5);  // 0.09 apart
   for (const bool first : {true, false}) {
     const Vec3 normal = (first ? 1.0 : -1.0) * Vec3::UnitX();
@@ -41,7 +41,7 @@ TEST(SphereSampler, PlacesAStackFromPlatenToPlaten)
 {
   SphereSampler sampler = sampler_of({"stack", "3", "0.02", "platens", "a", "b", "axis", "1", "2"});
   ASSERT_TRUE(sampler.has_stack());
-  sampler.start({}, -0.1, 0.3);
+  sampler.start({}, {-0.1, 0.3});
   const std::vector<SphereRow> rows = sampler.samples(0.0);
   ASSERT_EQ(rows.size(), 3u);
   const double heights[] = {-0.08, 0.1, 0.28};
@@ -50,7 +50,7 @@ TEST(SphereSampler, PlacesAStackFromPlatenToPlaten)
     EXPECT_EQ(rows[n].number, n + 1);
   }
   SphereSampler single = sampler_of({"stack", "1", "0.02", "platens", "a", "b"});
-  single.start({}, -0.1, 0.3);
+  single.start({}, {-0.1, 0.3});
   EXPECT_DOUBLE_EQ(single.samples(0.0).front().sphere.center.z(), 0.1);
 }
 

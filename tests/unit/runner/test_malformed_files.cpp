@@ -53,14 +53,14 @@ struct Bad {
 };
 
 const std::string head = "id,deck,default,variables,title,reproduces\n";
-const std::string good_series =
+const std::string good_series_file =
     "# tests\n" + head +
     "plain_050,triaxial_plain,1,sigma3=50e3;mu=0.5,Plain test,\"Tables 1 and 2, \"\"new\"\"\"\n"
     "own,../decks/trial.lmp,,,,\n";
-const std::string good_record =
+const std::string good_case_record =
     R"({"id": "plain_050", "deck": "triaxial_plain", "title": "Plain", "reproduces": "",
  "asked": {"sigma3": 50000, "resolution": "quick"}, "variables": {"sigma3": 50000.0, "mu": 1e-3}})";
-const std::string good_used =
+const std::string good_used_file =
     "name,style,value\nsigma3,index,\"50e3\"\nkind,string,\"a \"\"b\"\"\"\n";
 
 void series(const fs::path& file)
@@ -80,15 +80,15 @@ void used(const fs::path& file)
 
 TEST_F(MalformedFile, ReadersTakeGoodOnes)
 {
-  const std::vector<Case> cases = read_series(write(good_series), "own.csv");
+  const std::vector<Case> cases = read_series(write(good_series_file), "own.csv");
   ASSERT_EQ(cases.size(), 2u);
   EXPECT_EQ(cases[0].variables, (Settings{{"sigma3", "50e3"}, {"mu", "0.5"}}));
   EXPECT_EQ(cases[0].reproduces, "Tables 1 and 2, \"new\"");
   EXPECT_TRUE(cases[0].by_default);
   EXPECT_FALSE(cases[1].by_default);
   EXPECT_EQ(cases[1].title, "own");
-  EXPECT_EQ(read_case_record(write(good_record)).used.front().first, "sigma3");
-  EXPECT_EQ(read_used_variables(write(good_used)).back().second, "a \"b\"");
+  EXPECT_EQ(read_case_record(write(good_case_record)).used.front().first, "sigma3");
+  EXPECT_EQ(read_used_variables(write(good_used_file)).back().second, "a \"b\"");
 }
 
 TEST_F(MalformedFile, SeriesIsRefusedWithOneSentence)
@@ -156,7 +156,7 @@ TEST_F(MalformedFile, RecordIsRefusedWithOneSentence)
 TEST_F(MalformedFile, EachTruncationIsTakenOrRefusedWithOneSentence)
 {
   const std::vector<std::pair<std::string, std::function<void(const fs::path&)>>> files{
-      {good_series, series}, {good_record, record}, {good_used, used}};
+      {good_series_file, series}, {good_case_record, record}, {good_used_file, used}};
   for (const auto& [text, read] : files) {
     int refused = 0;
     for (int n = 0; n < 100; ++n) {

@@ -209,14 +209,14 @@ TEST_F(MeshFile, CutOffAnywhereIsRefusedOrTheSameMesh)
 
   std::minstd_rand random(1);
   for (const auto& [name, text] : texts) {
-    const SurfaceMesh whole = read_mesh_file(write("whole_" + name, text));
+    const SurfaceMesh whole = welded(read_mesh_file(write("whole_" + name, text)));
     ASSERT_EQ(whole.facet.size(), tube.facet.size()) << name;
     int refused = 0;
     for (int n = 0; n < 100; ++n) {
       const std::size_t size = n == 0 ? text.size() - 1 : random() % text.size();
       const std::string path = write("cut_" + name, text.substr(0, size));
       try {
-        const SurfaceMesh mesh = read_mesh_file(path);
+        const SurfaceMesh mesh = welded(read_mesh_file(path));
         EXPECT_EQ(mesh.facet, whole.facet) << name << " cut at " << size;
         EXPECT_EQ(mesh.node, whole.node) << name << " cut at " << size;
       } catch (const InputError& problem) {
