@@ -1,6 +1,7 @@
 #include "files/restart_file.h"
 
 #include "core/input_error.h"
+#include "files/restart_seal.h"
 
 #include <cstdint>
 #include <cstring>
@@ -72,6 +73,12 @@ class Bytes {
     std::vector<double> numbers(static_cast<std::size_t>(count));
     take(numbers.data(), 8 * count);
     return numbers;
+  }
+
+  /// What is left may be the seal of the bytes before it (files/restart_seal.h), and nothing else.
+  void take_end() const
+  {
+    if (left_ > 0 && !is_sealed(file_)) refuse(file_, "which is cut off or damaged");
   }
 
   [[noreturn]] void cut_off() const { refuse(file_, "which is cut off"); }
@@ -264,6 +271,7 @@ void check_restart_file(const std::string& file)
       grains += take_block(bytes);
     }
   }
+  if (!is_split) bytes.take_end();
   if (grains != head.grains)
     refuse(file, "which holds " + std::to_string(grains) + " of its " +
                      std::to_string(head.grains) + " grains");

@@ -50,7 +50,8 @@ void require_linear_law(LAMMPS_NS::LAMMPS* lmp, const std::string& needs_it)
   const bool rolling = resists_rolling(*pair);
   for (auto* wall : fixes_that_are<LAMMPS_NS::FixWallGran>(lmp)) {
     const std::string model = normal_model(*wall);
-    if (model == "linear" && resists_rolling(*wall) == rolling) continue;
+    // The masses of grains bear walls that resist rolling where the pairs do.
+    if (model == "linear" && (rolling || !resists_rolling(*wall))) continue;
     throw InputError(rule + "'model " + (model == "linear" ? linear_law(!rolling) : model) +
                      "' in fix " + wall->id + " of style wall/gran, write 'model " +
                      linear_law(rolling) + "' as for the pairs");

@@ -4,7 +4,7 @@
 #include "files/atomic_file.h"
 #include "host/rank_sums.h"
 #include "host/say_understood.h"
-#include "output/restart_seal.h"
+#include "files/restart_seal.h"
 
 #include "signal_handling.h"
 #include "write_restart.h"
@@ -85,11 +85,10 @@ void FixOutputRestart::plan()
   next_reneighbor = (update->ntimestep / nevery + 1) * nevery;
 }
 
-// The first file is that of the state before the first step; but a run without any step behind it
-// is better begun again, which is exact.
+// The first file is that of the state before the first step.
 void FixOutputRestart::setup(int)
 {
-  if (written_step_ < 0 && update->ntimestep > 0) write();
+  if (written_step_ < 0) write();
 }
 
 // A run that goes on from the file sorts its grains and builds its lists at this step. So does the

@@ -207,6 +207,8 @@ const std::map<std::string, Verdict>& verdicts()
       {"create_wall_mesh",
        {"p p p", "create_wall_mesh file a.stl shape square half_width 0.1 z 0 edge 0.05\n", "",
         nothing_more}},
+      {"record_variables",
+       {"p p p", "variable n equal 1\nrecord_variables file variables.csv\n", "", nothing_more}},
       {"require", {"p p p", "variable n equal 1\nrequire variable n positive\n", "", nothing_more}},
       // Whole grains lie in the cylinder and the cylinder in the box: no image comes near, and the
       // grains are those of an open box.
