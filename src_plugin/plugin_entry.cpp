@@ -2,12 +2,12 @@
 
 #include "contact/coincident_grains.h"
 #include "core/input_error.h"
+#include "files/restart_file.h"
 #include "host/contact_law.h"
 #include "host/fix_stop_request.h"
 #include "host/one_rank_errors.h"
 #include "host/output_files.h"
 #include "host/renumber_grains.h"
-#include "files/restart_file.h"
 #include "shell/refuse_as_mesh.h"
 #include "style_table.h"
 

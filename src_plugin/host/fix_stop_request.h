@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/ignores_velocity.h"
 #include "host/host_types.h"
+#include "host/ignores_velocity.h"
 
 namespace encased_column {
 

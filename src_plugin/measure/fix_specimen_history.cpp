@@ -187,10 +187,7 @@ void FixSpecimenHistory::check_grains(bool is_first)
     stop("of " + std::to_string(most_grains_) + " grains " + std::to_string(grains) + " are left" +
          at_step + ", enlarge the box or slow the walls");
   const double outside = sum_over_ranks(
-      atom->nlocal == 0
-          ? 0.0
-          : specimen().count_outside(atom->x[0], atom->nlocal),
-      world);
+      atom->nlocal == 0 ? 0.0 : specimen().count_outside(atom->x[0], atom->nlocal), world);
   if (outside > 0.0)
     stop(std::to_string(static_cast<long>(outside)) + " grains are outside the walls" + at_step +
          (is_first ? ", where the history begins, which takes all grains of the box for one "

@@ -175,7 +175,8 @@ void FixMeshSurfaceShell::final_integrate()
   if (!sleeve_->is_time_to_check(step)) return;
   if (const auto fault = sleeve_->fault(step))
     stop_from_one_rank(lmp, "at step " + std::to_string(step) + " " + *fault);
-  for (const std::string& sentence : sleeve_->warnings(window(), id, {platens_.id(true), platens_.id(false)}, step))
+  for (const std::string& sentence :
+       sleeve_->warnings(window(), id, {platens_.id(true), platens_.id(false)}, step))
     if (comm->me == 0) error->warning(FLERR, sentence.c_str());
 }
 

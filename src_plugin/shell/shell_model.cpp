@@ -199,7 +199,8 @@ double ShellModel::scale_masses(const std::vector<StiffnessBound>& bound, double
   double taken = 0.0;
   for (int i = 0; i < nodes(); ++i) {
     taken += change_inertia(
-        mass_[i], std::max(from_true_masses ? true_mass_[i] : mass_[i], need * bound[i].translation),
+        mass_[i],
+        std::max(from_true_masses ? true_mass_[i] : mass_[i], need * bound[i].translation),
         velocity_[i]);
     taken += change_inertia(
         inertia_[i],

@@ -113,7 +113,7 @@ class Sleeve {
   const std::vector<int>& end_nodes(bool top) const { return end_nodes_[top ? 0 : 1]; }
   const Vec3& axis() const { return axis_; }  ///< a point of the center line [m]
   double enclosed_volume(const HeightWindow& window) const;
-  double cross_section(double z) const;  ///< [m^2]
+  double cross_section(double z) const;                                          ///< [m^2]
   double radius_at(double z) const { return std::sqrt(cross_section(z) / pi); }  ///< mean [m]
   /// How many of `count` centers in a row of triples [m] are not inside, within the window.
   int count_outside(const double* centers, int count, const HeightWindow& window) const;

@@ -47,8 +47,7 @@ TEST(Watch, StopsWhereAGrainHasLeftTheBox)
 
 TEST(Watch, StopsWhereForcesAreNotNumbers)
 {
-  expect_refused("grain_stack",
-                 "fix overflow all addforce 1e308 0 0\n" + watched,
+  expect_refused("grain_stack", "fix overflow all addforce 1e308 0 0\n" + watched,
                  "the forces on the grains are not numbers at step 0, go back to the last restart "
                  "file with a smaller step");
 }
