@@ -37,12 +37,6 @@ int FixMotion::modify_param(int narg, char** arg)
   return narg;
 }
 
-int FixMotion::setmask()
-{
-  using namespace LAMMPS_NS::FixConst;
-  return INITIAL_INTEGRATE | PRE_FORCE | FINAL_INTEGRATE | POST_RUN;
-}
-
 void FixMotion::init()
 {
   motion_.damping = settings_.damping;
@@ -206,15 +200,6 @@ void FixMotion::post_run()
 {
   complete_step();
   force_start_.give_back(lmp);
-}
-
-double FixMotion::compute_vector(int n)
-{
-  if (n == 4) return damping_loss();
-  const double values[] = {
-      ratio_.average, ratio_.maximum, found_.stable_step, found_.largest_factor, 0.0,
-      ratio_.contacts};
-  return values[n];
 }
 
 /// In a restart file, in this order.

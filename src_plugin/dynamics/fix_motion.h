@@ -22,7 +22,11 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
 
   FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
-  int setmask() override;
+  int setmask() override
+  {
+    using namespace LAMMPS_NS::FixConst;
+    return INITIAL_INTEGRATE | PRE_FORCE | FINAL_INTEGRATE | POST_RUN;
+  }
   void init() override;
   void setup_pre_force(int) override;
   void setup(int) override;
@@ -31,7 +35,14 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
   void final_integrate() override;
   void post_run() override;
   int modify_param(int narg, char** arg) override;
-  double compute_vector(int n) override;
+  double compute_vector(int n) override
+  {
+    if (n == 4) return damping_loss();
+    const double values[] = {
+        ratio_.average, ratio_.maximum, found_.stable_step, found_.largest_factor, 0.0,
+        ratio_.contacts};
+    return values[n];
+  }
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
