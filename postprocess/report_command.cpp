@@ -9,11 +9,11 @@
 #include "drawing/scene.h"
 #include "drawing/sleeve_figures.h"
 #include "drawing/triaxial_figures.h"
-#include "page/case_page.h"
-#include "page/series_page.h"
-#include "report/check_table.h"
-#include "report/result_table.h"
-#include "report/theory_table.h"
+#include "report/case_page.h"
+#include "report/series_page.h"
+#include "tables/check_table.h"
+#include "tables/result_table.h"
+#include "tables/theory_table.h"
 
 #include <vtkObject.h>
 #include <CLI/CLI.hpp>

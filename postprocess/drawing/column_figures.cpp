@@ -2,7 +2,7 @@
 
 #include "core/input_error.h"
 #include "drawing/labels.h"
-#include "report/text_layout.h"
+#include "tables/text_layout.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "drawing/figure.h"
-#include "report/evaluation.h"
+#include "tables/evaluation.h"
 
 #include <vector>
 

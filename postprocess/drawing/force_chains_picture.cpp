@@ -3,7 +3,7 @@
 #include "drawing/contact_bars.h"
 #include "drawing/grain_spheres.h"
 #include "drawing/scene.h"
-#include "report/text_layout.h"
+#include "tables/text_layout.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkNew.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/evaluation.h"
+#include "tables/evaluation.h"
 
 #include <string>
 #include <vector>

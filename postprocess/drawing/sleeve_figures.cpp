@@ -2,8 +2,8 @@
 
 #include "drawing/labels.h"
 #include "files/column_names.h"
-#include "report/sleeve_theory.h"
-#include "report/text_layout.h"
+#include "tables/sleeve_theory.h"
+#include "tables/text_layout.h"
 
 namespace encased_column {
 

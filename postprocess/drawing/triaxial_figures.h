@@ -2,7 +2,7 @@
 
 #include "drawing/figure.h"
 #include "reading/targets.h"
-#include "report/evaluation.h"
+#include "tables/evaluation.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/contact_desk.h"
+#include "contact/contact_context.h"
 #include "contact/model_numbers.h"
 #include "core/input_error.h"
 #include "host/granular_host.h"
@@ -28,7 +28,7 @@ class ContactModel<
   ContactModel(LAMMPS* lmp, IContactHistorySetup* history, bool is_wall, const int64_t)
       : ContactModelBase(lmp, is_wall),
         lmp_(lmp),
-        desk_(lmp)
+        context_(lmp)
   {
     memory_ = history->add_history_value("shearx", "1");
     history->add_history_value("sheary", "1");
@@ -50,13 +50,13 @@ class ContactModel<
   void connectToProperties(PropertyRegistry&)
   {
     try {
-      desk_.open(with_rolling);
+      context_.open(with_rolling);
     } catch (const encased_column::InputError& problem) {
       lmp_->error->all(FLERR, problem.what());
     }
   }
 
-  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) { desk_.ask_probes(); }
+  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) { context_.ask_probes(); }
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   bool checkSurfaceIntersect(SurfacesIntersectData&) { return true; }
   void tally_pp(double, int, int, int) {}
@@ -76,7 +76,7 @@ class ContactModel<
         {s.radi, as_vec3(s.v_i), as_vec3(s.omega_i)},
         {wall ? 0.0 : s.radj, as_vec3(s.v_j), wall ? still : Vec3(as_vec3(s.omega_j))}};
     const ContactAction action = resolve_contact<with_rolling>(
-        desk_.material(s.itype, s.jtype), touch, lmp_->update->dt,
+        context_.material(s.itype, s.jtype), touch, lmp_->update->dt,
         static_cast<double>(lmp_->update->ntimestep), advance, s.contact_history + memory_);
 
     as_vec3(i_forces.delta_F) += action.force;
@@ -90,11 +90,11 @@ class ContactModel<
     s.Fn = action.normal_force;
     if (!s.computeflag) return;
     if (wall) {
-      desk_.ask_probes();  // the host has no pass over walls
-      desk_.raise_mass_for_contact(s.i, action.stiffness);
+      context_.ask_probes();  // the host has no pass over walls
+      context_.raise_mass_for_contact(s.i, action.stiffness);
     }
     const double share = wall || s.j < lmp_->atom->nlocal ? 1.0 : 0.5;
-    desk_.book(s.i, wall ? -1 : s.j, share, advance, touch, action);
+    context_.book(s.i, wall ? -1 : s.j, share, advance, touch, action);
   }
 
   void endSurfacesIntersect(SurfacesIntersectData&, TriMesh*, ForceData&, ForceData&) {}
@@ -117,7 +117,7 @@ class ContactModel<
 
  private:
   LAMMPS* lmp_;
-  encased_column::ContactDesk desk_;
+  encased_column::ContactContext context_;
   int memory_ = 0;  ///< where the contact's memory begins in the host's history
 };
 

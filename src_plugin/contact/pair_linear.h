@@ -28,7 +28,7 @@ class PairLinear
       : HostLoop(lmp, parent, hash),
         lmp_(lmp),
         parent_(parent),
-        desk_(lmp),
+        context_(lmp),
         list_(lmp)
   {
   }
@@ -47,7 +47,7 @@ class PairLinear
   void init_granular() override
   {
     HostLoop::init_granular();
-    desk_.open(with_rolling);
+    context_.open(with_rolling);
     memory_ = this->get_history_offset("contact_memory");
     try {
       list_.take_over(parent_);
@@ -67,11 +67,11 @@ class PairLinear
     pairs_are_old_ = false;
     pair->evflag = pair->vflag_fdotr = 0;
     if (lmp_->atom->nlocal == 0) return;
-    desk_.ask_probes();
+    context_.ask_probes();
     const GrainArrays grains(lmp_->atom);
     const bool advance = pair->computeflag() && pair->shearupdate();
-    if (loop_ == PairLoop::rows)
-      press_in_rows(grains, advance);
+    if (loop_ == PairLoop::batches)
+      press_in_batches(grains, advance);
     else
       press_one_by_one(grains, advance);
   }
@@ -111,7 +111,7 @@ class PairLinear
 
   double mass_of(GrainArrays grains, int i, int j) const
   {
-    return desk_.has_dashpots() ? effective_mass(grains.mass[i], grains.mass[j]) : 0.0;
+    return context_.has_dashpots() ? effective_mass(grains.mass[i], grains.mass[j]) : 0.0;
   }
 
   /// A pair across a border of ranks is found on both of them.
@@ -127,23 +127,24 @@ class PairLinear
     as_vec3(grains.moment + 3 * j) += moment_j;
   }
 
-  void press_in_rows(GrainArrays grains, bool advance)
+  void press_in_batches(GrainArrays grains, bool advance)
   {
     find_contacts(grains, [&](int i, int j, double* memory) {
-      row_.add(i, j, share_of(grains, j), desk_.material(grains.type[i], grains.type[j]),
-               as_vec3(grains.x + 3 * j) - as_vec3(grains.x + 3 * i), body(grains, i),
-               body(grains, j), mass_of(grains, i, j), memory);
-      if (row_.is_full()) press_row(grains, advance);
+      batch_.add(i, j, share_of(grains, j), context_.material(grains.type[i], grains.type[j]),
+                 as_vec3(grains.x + 3 * j) - as_vec3(grains.x + 3 * i), body(grains, i),
+                 body(grains, j), mass_of(grains, i, j), memory);
+      if (batch_.is_full()) press_batch(grains, advance);
     });
-    press_row(grains, advance);
+    press_batch(grains, advance);
   }
 
-  void press_row(GrainArrays grains, bool advance)
+  void press_batch(GrainArrays grains, bool advance)
   {
-    desk_.resolve(row_, advance);
-    for (int n = 0; n < row_.count(); ++n)
-      push(grains, row_.i(n), row_.j(n), row_.force(n), row_.moment_i(n), row_.moment_j(n));
-    row_.clear();
+    context_.resolve(batch_, advance);
+    for (int n = 0; n < batch_.count(); ++n)
+      push(grains, batch_.i(n), batch_.j(n), batch_.force(n), batch_.moment_i(n),
+           batch_.moment_j(n));
+    batch_.clear();
   }
 
   void press_one_by_one(GrainArrays grains, bool advance)
@@ -157,9 +158,9 @@ class PairLinear
       const Touch touch{body_i.radius + body_j.radius - distance, apart / distance,
                         mass_of(grains, i, j), body_i, body_j};
       const ContactAction action = resolve_contact<with_rolling>(
-          desk_.material(grains.type[i], grains.type[j]), touch, dt, step, advance, memory);
+          context_.material(grains.type[i], grains.type[j]), touch, dt, step, advance, memory);
       push(grains, i, j, action.force, action.moment_i, action.moment_j);
-      desk_.book(i, j, share_of(grains, j), advance, touch, action);
+      context_.book(i, j, share_of(grains, j), advance, touch, action);
     });
   }
 
@@ -167,12 +168,12 @@ class PairLinear
                                        LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
   LAMMPS_NS::LAMMPS* lmp_;
   PairGran* parent_;
-  ContactDesk desk_;
-  std::conditional_t<with_rolling, RollingRow, ContactRow> row_;
+  ContactContext context_;
+  std::conditional_t<with_rolling, RollingBatch, ContactBatch> batch_;
   PairList list_;
   ListedPairs pairs_;
   bool pairs_are_old_ = true;
-  PairLoop loop_ = PairLoop::rows;
+  PairLoop loop_ = PairLoop::batches;
   int memory_ = 0;
 };
 

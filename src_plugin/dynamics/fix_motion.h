@@ -4,7 +4,7 @@
 #include "dynamics/mass_scaling.h"
 #include "dynamics/motion_settings.h"
 #include "dynamics/unbalanced_force_ratio.h"
-#include "host/contact_probe.h"
+#include "host/contact_observer.h"
 #include "host/force_start.h"
 #include "host/grain_number_fix.h"
 #include "host/rank_sums.h"
@@ -16,7 +16,7 @@ namespace encased_column {
 
 /// Moves the grains: central differences with local damping, a stable step found from the contact
 /// stiffness of every grain, and density scaling when the deck sets the step.
-class FixMotion : public MassScalingOwner, public GrainNumberFix, public ContactProbe {
+class FixMotion : public MassScalingOwner, public GrainNumberFix, public ContactObserver {
  public:
   inline static const KeywordTable& keywords = MotionSettings::keywords;
 

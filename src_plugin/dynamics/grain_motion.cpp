@@ -8,7 +8,7 @@ namespace encased_column {
 
 namespace {
 
-GrainRow row(const StepGrains& g, const MassScaling& masses, int first, int count)
+GrainBatch batch(const StepGrains& g, const MassScaling& masses, int first, int count)
 {
   return {g.velocity + 3 * first,
           g.spin + 3 * first,
@@ -19,12 +19,12 @@ GrainRow row(const StepGrains& g, const MassScaling& masses, int first, int coun
           count};
 }
 
-/// Calls `act(first, count)` for all grains that move, in rows.
+/// Calls `act(first, count)` for all grains that move, in batches.
 template <typename Act>
-void for_rows(const StepGrains& grains, const Act& act)
+void for_batches(const StepGrains& grains, const Act& act)
 {
   for (int first = 0; first < grains.count;) {
-    const int last = std::min(first + longest_row, grains.count);
+    const int last = std::min(first + largest_batch, grains.count);
     int end = grains.mask ? first : last;
     while (end < last && (grains.mask[end] & grains.group)) ++end;
     if (end > first) act(first, end - first);
@@ -47,22 +47,22 @@ void GrainMotion::complete_step(const StepGrains& grains, MassScaling& masses, d
 {
   if (kicks_ == Kicks::complete) return;
   kicks_ = Kicks::complete;
-  for_rows(grains, [&](int first, int count) {
-    loss += kick_grains(row(grains, masses, first, count), damping, 0.5 * dt).loss;
+  for_batches(grains, [&](int first, int count) {
+    loss += kick_grains(batch(grains, masses, first, count), damping, 0.5 * dt).loss;
   });
   masses.settle();
   loss += masses.take_loss();
 }
 
-// A row with a grain whose momentum is to be put right between its kicks gets them one by one.
+// A batch with a grain whose momentum is to be put right between its kicks gets them one by one.
 void GrainMotion::begin_step(const StepGrains& grains, MassScaling& masses, double dt,
                              const Vec3& gravity, const Vec3* weight)
 {
   const bool is_due = kicks_ == Kicks::last_half_is_due;
   if (is_due) masses.sort_raised();
-  for_rows(grains, [&](int first, int count) {
-    const GrainRow kicked = row(grains, masses, first, count);
-    RowKick kick;
+  for_batches(grains, [&](int first, int count) {
+    const GrainBatch kicked = batch(grains, masses, first, count);
+    BatchKick kick;
     if (is_due && !masses.raised_before(first + count)) {
       const TwoKicks kicks = kick_grains_twice(kicked, damping, 0.5 * dt);
       loss += kicks.loss_of_last;

@@ -19,9 +19,9 @@ namespace {
 }
 
 /// Half a kick of `count` components; rate [s/kg] of each. The loss is without half the step.
-[[gnu::always_inline]] inline RowKick kick_components(int count, const double* __restrict force,
-                                                      const double* __restrict rate, double alpha,
-                                                      double* __restrict velocity)
+[[gnu::always_inline]] inline BatchKick kick_components(int count, const double* __restrict force,
+                                                        const double* __restrict rate, double alpha,
+                                                        double* __restrict velocity)
 {
   double loss = 0.0, fastest = 0.0;
 #pragma omp simd reduction(+ : loss) reduction(max : fastest)
@@ -51,20 +51,20 @@ namespace {
   return {last, {first, fastest}};
 }
 
-/// Half a step over the inertia of each component of a row.
+/// Half a step over the inertia of each component of a batch.
 struct Rates {
-  double of_velocity[3 * longest_row], of_spin[3 * longest_row];
+  double of_velocity[3 * largest_batch], of_spin[3 * largest_batch];
 
-  [[gnu::always_inline]] Rates(const GrainRow& row, double half_step)
+  [[gnu::always_inline]] Rates(const GrainBatch& batch, double half_step)
   {
-    double by_force[longest_row], by_moment[longest_row];
+    double by_force[largest_batch], by_moment[largest_batch];
 #pragma omp simd
-    for (int i = 0; i < row.count; ++i) {
-      const double square = 0.4 * row.radius[i] * row.radius[i];
-      by_moment[i] = half_step / (row.mass[i] * square);  // one division for both
+    for (int i = 0; i < batch.count; ++i) {
+      const double square = 0.4 * batch.radius[i] * batch.radius[i];
+      by_moment[i] = half_step / (batch.mass[i] * square);  // one division for both
       by_force[i] = square * by_moment[i];
     }
-    for (int i = 0; i < row.count; ++i)
+    for (int i = 0; i < batch.count; ++i)
       for (int a = 0; a < 3; ++a) {
         of_velocity[3 * i + a] = by_force[i];
         of_spin[3 * i + a] = by_moment[i];
@@ -75,23 +75,25 @@ struct Rates {
 }  // namespace
 
 ENCASE_VECTOR_UNITS
-RowKick kick_grains(const GrainRow& row, double alpha, double half_step)
+BatchKick kick_grains(const GrainBatch& batch, double alpha, double half_step)
 {
-  const Rates rates(row, half_step);
-  const int count = 3 * row.count;
-  const RowKick way = kick_components(count, row.force, rates.of_velocity, alpha, row.velocity);
-  const RowKick turn = kick_components(count, row.moment, rates.of_spin, alpha, row.spin);
+  const Rates rates(batch, half_step);
+  const int count = 3 * batch.count;
+  const BatchKick way =
+      kick_components(count, batch.force, rates.of_velocity, alpha, batch.velocity);
+  const BatchKick turn = kick_components(count, batch.moment, rates.of_spin, alpha, batch.spin);
   return {0.5 * half_step * (way.loss + turn.loss), way.fastest};
 }
 
 ENCASE_VECTOR_UNITS
-TwoKicks kick_grains_twice(const GrainRow& row, double alpha, double half_step)
+TwoKicks kick_grains_twice(const GrainBatch& batch, double alpha, double half_step)
 {
-  const Rates rates(row, half_step);
-  const int count = 3 * row.count;
+  const Rates rates(batch, half_step);
+  const int count = 3 * batch.count;
   const TwoKicks way =
-      kick_components_twice(count, row.force, rates.of_velocity, alpha, row.velocity);
-  const TwoKicks turn = kick_components_twice(count, row.moment, rates.of_spin, alpha, row.spin);
+      kick_components_twice(count, batch.force, rates.of_velocity, alpha, batch.velocity);
+  const TwoKicks turn =
+      kick_components_twice(count, batch.moment, rates.of_spin, alpha, batch.spin);
   return {0.5 * half_step * (way.loss_of_last + turn.loss_of_last),
           {0.5 * half_step * (way.first.loss + turn.first.loss), way.first.fastest}};
 }

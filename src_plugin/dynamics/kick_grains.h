@@ -2,35 +2,35 @@
 
 namespace encased_column {
 
-/// Grains in a row: triples of each vector, one number of each scalar per grain.
-struct GrainRow {
+/// A batch of grains: triples of each vector, one number of each scalar per grain.
+struct GrainBatch {
   double* velocity;      ///< [m/s]
   double* spin;          ///< [rad/s]
   const double* force;   ///< [N]
   const double* moment;  ///< [N m]
   const double* radius;  ///< [m]
   const double* mass;    ///< inertial [kg]
-  int count;             ///< at most `longest_row`
+  int count;             ///< at most `largest_batch`
 };
 
-constexpr int longest_row = 64;
+constexpr int largest_batch = 64;
 
-struct RowKick {
+struct BatchKick {
   double loss;     ///< work of the damping [J]
   double fastest;  ///< square of the largest component of a velocity after it [m^2/s^2]
 };
 
-/// Half a step `half_step` [s] of damped force and moment on all grains of a row: kick() of
+/// Half a step `half_step` [s] of damped force and moment on all grains of a batch: kick() of
 /// local_damping.h with the vector units of the machine. Velocities and spins are the same on every
 /// machine to the last bit; the loss is to the order of its sum (1e-14).
-RowKick kick_grains(const GrainRow& row, double alpha, double half_step);
+BatchKick kick_grains(const GrainBatch& batch, double alpha, double half_step);
 
 /// The last half of a step and the first of the next, which begin with the same forces: as
 /// kick_grains() twice, to the last bit.
 struct TwoKicks {
   double loss_of_last;  ///< [J]
-  RowKick first;
+  BatchKick first;
 };
-TwoKicks kick_grains_twice(const GrainRow& row, double alpha, double half_step);
+TwoKicks kick_grains_twice(const GrainBatch& batch, double alpha, double half_step);
 
 }  // namespace encased_column

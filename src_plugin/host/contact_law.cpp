@@ -1,7 +1,7 @@
 #include "host/contact_law.h"
 
 #include "core/input_error.h"
-#include "host/contact_probe.h"
+#include "host/contact_observer.h"
 
 #include "fix_wall_gran.h"
 #include "pair_gran.h"

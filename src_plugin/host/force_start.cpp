@@ -17,7 +17,7 @@ bool others_act(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, int stages
     const LAMMPS_NS::Fix* const fix = lmp->modify->fix[n];
     if (fix == last) return false;
     const bool ours = fix == motion || dynamic_cast<const IgnoresVelocity*>(fix) ||
-                      dynamic_cast<const ContactProbe*>(fix);
+                      dynamic_cast<const ContactObserver*>(fix);
     if (!ours && (lmp->modify->fmask[n] & stages)) return true;
   }
   return false;

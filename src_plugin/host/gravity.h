@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/vec3.h"
-#include "host/contact_probe.h"
+#include "host/contact_observer.h"
 
 #include "fix_gravity.h"
 

@@ -1,6 +1,6 @@
 #include "host/renumber_grains.h"
 
-#include "host/contact_probe.h"
+#include "host/contact_observer.h"
 
 #include "fix_contact_history.h"
 

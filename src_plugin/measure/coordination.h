@@ -19,7 +19,7 @@ inline double coordination_number(const ContactCount& n)
 /// Mean number of contacts [-] per grain that bears load: grains with none or one contact and
 /// those contacts left out.
 /// Source: Thornton (2000), Geotechnique 50, 43-53, "mechanical coordination number".
-inline double bearing_coordination_number(const ContactCount& n)
+inline double mechanical_coordination_number(const ContactCount& n)
 {
   const double bearing = n.grains - n.without_contact - n.with_one_contact;
   return bearing > 0.0 ? (n.ends - n.with_one_contact) / bearing : 0.0;

@@ -19,7 +19,7 @@ namespace encased_column {
 /// `fix measure/sphere`: porosity, coordination, stress and forces in balls that stand still or
 /// follow the platens, as rows of a CSV file and points of VTK files.
 class FixMeasureSphere : public LAMMPS_NS::Fix,
-                         public ContactProbe,
+                         public ContactObserver,
                          public SeriesOwner,
                          public IgnoresVelocity {
  public:

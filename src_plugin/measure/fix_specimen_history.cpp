@@ -48,8 +48,8 @@ FixSpecimenHistory::FixSpecimenHistory(LAMMPS_NS::LAMMPS* lmp, int narg, char** 
   }
   restart_global = 1;
   vector_flag = 1;
-  row_.assign(specimen_columns().size(), 0.0);
-  size_vector = static_cast<int>(row_.size());
+  batch_.assign(specimen_columns().size(), 0.0);
+  size_vector = static_cast<int>(batch_.size());
   global_freq = 1;
   extvector = 0;
 }
@@ -165,8 +165,8 @@ void FixSpecimenHistory::take_sample()
   sample.closing_speed = specimen().platens().closing_speed();
   sample.unbalanced_ratio = motion_->unbalanced_ratio();
   sample.energy_error = balance_.error(sample.now.energy);
-  row_.clear();
-  add_numbers(specimen_columns(), sample, row_);
+  batch_.clear();
+  add_numbers(specimen_columns(), sample, batch_);
 }
 
 // A grain that left, or a number that is none, must not pass for a result.
@@ -197,7 +197,7 @@ void FixSpecimenHistory::check_grains(bool is_first)
 
 void FixSpecimenHistory::write_row()
 {
-  if (comm->me == 0 && !file_.append(row_)) files_.stop(file_.path());
+  if (comm->me == 0 && !file_.append(batch_)) files_.stop(file_.path());
 }
 
 int FixSpecimenHistory::modify_param(int narg, char** arg)
@@ -225,7 +225,7 @@ void FixSpecimenHistory::write_restart(FILE* file)
   std::vector<double> numbers(before_.first(), before_.first() + SpecimenMoment::count);
   numbers.push_back(balance_.most());
   numbers.insert(numbers.end(), losses, losses + 3);
-  numbers.insert(numbers.end(), row_.begin(), row_.end());
+  numbers.insert(numbers.end(), batch_.begin(), batch_.end());
   write_block(file, numbers, "");
 }
 
@@ -237,7 +237,7 @@ void FixSpecimenHistory::restart(char* buffer)
     block.take(before_.first(), SpecimenMoment::count);
     balance_.resume(before_.energy, block.take());
     const double friction = block.take(), rolling = block.take(), dashpots = block.take();
-    block.take(row_.data(), row_.size());
+    block.take(batch_.data(), batch_.size());
     if (comm->me != 0) return;
     contact_losses = {friction, rolling, dashpots};
     if (!file_.go_back_to(static_cast<double>(update->ntimestep))) files_.stop(file_.path());

@@ -16,7 +16,7 @@ namespace encased_column {
 class FixMotion;
 
 /// Writes the curves of a test: a row of history.csv every N steps.
-class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public ContactLossOwner {
+class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactObserver, public ContactLossOwner {
  public:
   static const KeywordTable keywords;
   static std::vector<TableText> tables();
@@ -30,7 +30,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   void pre_force(int) override;
   void end_of_step() override;
   int modify_param(int narg, char** arg) override;
-  double compute_vector(int n) override { return row_.at(n); }
+  double compute_vector(int n) override { return batch_.at(n); }
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
@@ -59,7 +59,7 @@ class FixSpecimenHistory : public LAMMPS_NS::Fix, public ContactProbe, public Co
   SpecimenSums sums_;
   SpecimenMoment before_;  ///< what strains, works and losses count from
   EnergyBalance balance_;
-  std::vector<double> row_;
+  std::vector<double> batch_;
   OutputFiles files_;
   CsvSeries file_;
 };

@@ -62,7 +62,7 @@ SphereMeasure measure(const SphereSums& sums, const MeasuringSphere& sphere)
   m.porosity = porosity(sums.solid, volume);
   m.porosity_less_overlap = porosity(sums.solid - sums.shared, volume);
   m.coordination_number = coordination_number(count);
-  m.coordination_number_bearing = bearing_coordination_number(count);
+  m.mechanical_coordination_number = mechanical_coordination_number(count);
   const double per_volume = sums.grain_volume > 0.0 ? (1.0 - m.porosity) / sums.grain_volume : 0.0;
   m.stress = per_volume * ConstRows(sums.stress);
   m.axial = m.stress(2, 2);

@@ -48,16 +48,16 @@ void add_contact(SphereSums& sums, const MeasuringSphere& sphere, const Vec3& po
 
 /// What a measuring sphere says; stress positive in compression.
 struct SphereMeasure {
-  double grains;                       ///< with their center inside
-  double porosity;                     ///< [-], overlaps counted twice as solid
-  double porosity_less_overlap;        ///< [-]
-  double coordination_number;          ///< [-]
-  double coordination_number_bearing;  ///< [-], without rattlers
-  Mat3 stress;                         ///< [Pa]
-  double axial, radial, hoop;          ///< stress about the axis [Pa]
-  Mat3 fabric;                         ///< [-], of trace one
-  double sliding_fraction;             ///< of the contacts [-]
-  double mean_force;                   ///< [N]
+  double grains;                          ///< with their center inside
+  double porosity;                        ///< [-], overlaps counted twice as solid
+  double porosity_less_overlap;           ///< [-]
+  double coordination_number;             ///< [-]
+  double mechanical_coordination_number;  ///< [-], without rattlers
+  Mat3 stress;                            ///< [Pa]
+  double axial, radial, hoop;             ///< stress about the axis [Pa]
+  Mat3 fabric;                            ///< [-], of trace one
+  double sliding_fraction;                ///< of the contacts [-]
+  double mean_force;                      ///< [N]
 };
 
 /// Stress is Love-Weber's sum over the grains, scaled to the solid that the sphere holds,

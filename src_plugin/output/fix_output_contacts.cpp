@@ -48,10 +48,10 @@ FixOutputContacts::FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** ar
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  row_.assign(contact_headings(forces_.levels()).size(), 0.0);
+  batch_.assign(contact_headings(forces_.levels()).size(), 0.0);
   restart_global = 1;
   vector_flag = 1;
-  size_vector = static_cast<int>(row_.size());
+  size_vector = static_cast<int>(batch_.size());
   global_freq = 1;
   extvector = 0;
 }
@@ -151,8 +151,8 @@ void FixOutputContacts::write_row()
 {
   sum_over_ranks(forces_.sums().data(), forces_.sums().size(), world);
   forces_.set_largest(max_over_ranks(forces_.largest(), world));
-  row_ = contact_numbers({static_cast<double>(update->ntimestep), forces_});
-  if (comm->me == 0 && !file_.append(row_)) files_.stop(file_.path());
+  batch_ = contact_numbers({static_cast<double>(update->ntimestep), forces_});
+  if (comm->me == 0 && !file_.append(batch_)) files_.stop(file_.path());
 }
 
 /// Sorted, so that the file does not depend on the number of ranks; walls of a grain come in the
@@ -174,8 +174,8 @@ void FixOutputContacts::write_frame()
 void FixOutputContacts::write_restart(FILE* file)
 {
   if (comm->me != 0) return;
-  std::vector<double> numbers{clock_.now(), static_cast<double>(row_.size())};
-  numbers.insert(numbers.end(), row_.begin(), row_.end());
+  std::vector<double> numbers{clock_.now(), static_cast<double>(batch_.size())};
+  numbers.insert(numbers.end(), batch_.begin(), batch_.end());
   write_block(file, numbers, series_->saved());
 }
 
@@ -186,7 +186,7 @@ void FixOutputContacts::restart(char* buffer)
     clock_.restart(block.take());
     std::vector<double> row(static_cast<std::size_t>(block.take()));
     block.take(row.data(), row.size());
-    if (row.size() == row_.size()) row_ = row;
+    if (row.size() == batch_.size()) batch_ = row;
     written_ = true;
     if (comm->me != 0) return;
     if (!file_.go_back_to(static_cast<double>(update->ntimestep))) files_.stop(file_.path());

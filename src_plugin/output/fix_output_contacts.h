@@ -4,7 +4,7 @@
 #include "files/csv_series.h"
 #include "files/vtk_contacts_writer.h"
 #include "files/vtk_series.h"
-#include "host/contact_probe.h"
+#include "host/contact_observer.h"
 #include "host/output_files.h"
 #include "host/run_clock.h"
 #include "output/contact_columns.h"
@@ -17,7 +17,7 @@ namespace encased_column {
 
 /// `fix output/contacts`: contacts as lines that ParaView opens, and what their forces are on the
 /// whole as rows of a CSV file.
-class FixOutputContacts : public LAMMPS_NS::Fix, public ContactProbe, public SeriesOwner {
+class FixOutputContacts : public LAMMPS_NS::Fix, public ContactObserver, public SeriesOwner {
  public:
   static const KeywordTable keywords;
   static std::vector<TableText> tables();
@@ -30,7 +30,7 @@ class FixOutputContacts : public LAMMPS_NS::Fix, public ContactProbe, public Ser
   void setup(int) override;
   void pre_force(int) override;
   void end_of_step() override;
-  double compute_vector(int n) override { return row_[n]; }
+  double compute_vector(int n) override { return batch_[n]; }
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
@@ -50,7 +50,7 @@ class FixOutputContacts : public LAMMPS_NS::Fix, public ContactProbe, public Ser
   bool first_forces_ = false, written_ = false;
   std::vector<ContactRecord> contacts_;  ///< of this rank, for a VTK file
   ContactForces forces_;                 ///< of this rank, then of all
-  std::vector<double> row_;
+  std::vector<double> batch_;
 
   OutputFiles files_;
   RunClock clock_;

@@ -15,7 +15,7 @@
 namespace encased_column {
 
 /// `fix output/grains`: the group's grains as a time series that ParaView opens.
-class FixOutputGrains : public LAMMPS_NS::Fix, public ContactProbe, public SeriesOwner {
+class FixOutputGrains : public LAMMPS_NS::Fix, public ContactObserver, public SeriesOwner {
  public:
   static const KeywordTable keywords;
 

@@ -10,7 +10,7 @@ namespace encased_column {
 
 RigidWall::RigidWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : ContactMemoryFix(lmp, narg, arg),
-      desk_(lmp)
+      context_(lmp)
 {
   restart_global = 1;
   vector_flag = 1;
@@ -55,7 +55,7 @@ void RigidWall::init()
   auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
-    desk_.open(rolling_);
+    context_.open(rolling_);
     find_partners();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/contact_desk.h"
+#include "contact/contact_context.h"
 #include "core/input_error.h"
 #include "core/keyword_table.h"
 #include "host/contact_memory_fix.h"
@@ -57,10 +57,10 @@ class RigidWall : public ContactMemoryFix {
  private:
   template <typename Shape>
   void list_grains_near(const Shape& shape);
-  template <typename Shape, typename Row>
-  void press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row);
-  template <typename Row>
-  void press_row(const GrainArrays& grains, Row& row);
+  template <typename Shape, typename Batch>
+  void press_in_batches(const Shape& shape, const GrainArrays& grains, Batch& batch);
+  template <typename Batch>
+  void press_batch(const GrainArrays& grains, Batch& batch);
   double stress_now() const;
   void check_reach();
 
@@ -68,9 +68,9 @@ class RigidWall : public ContactMemoryFix {
   double restored_stress_ = 0.0;  ///< [Pa]
   Options on_fix_line_;
   WallMotion motion_;
-  ContactDesk desk_;
-  ContactRow row_;
-  RollingRow rolling_row_;
+  ContactContext context_;
+  ContactBatch batch_;
+  RollingBatch rolling_batch_;
   int wall_type_ = 0;
   bool rolling_ = false;
   bool advance_memory_ = true;
@@ -88,7 +88,7 @@ class RigidWall : public ContactMemoryFix {
 template <typename Shape>
 void RigidWall::press_grains_with(const Shape& shape)
 {
-  desk_.ask_probes();
+  context_.ask_probes();
   own_load_ = WallLoad();
   summed_ = false;
   // Radii grow in steps that make new lists.
@@ -98,9 +98,9 @@ void RigidWall::press_grains_with(const Shape& shape)
   if (near_.numbers().empty()) return;
   const GrainArrays grains(atom);
   if (rolling_)
-    press_in_rows(shape, grains, rolling_row_);
+    press_in_batches(shape, grains, rolling_batch_);
   else
-    press_in_rows(shape, grains, row_);
+    press_in_batches(shape, grains, batch_);
 }
 
 template <typename Shape>
@@ -111,38 +111,38 @@ void RigidWall::list_grains_near(const Shape& shape)
   remember(near_.numbers());
 }
 
-template <typename Shape, typename Row>
-void RigidWall::press_in_rows(const Shape& shape, const GrainArrays& grains, Row& row)
+template <typename Shape, typename Batch>
+void RigidWall::press_in_batches(const Shape& shape, const GrainArrays& grains, Batch& batch)
 {
-  near_.find_touching(shape, grains.x, grains.radius,
-                      [&](int n, double overlap, const Vec3& normal) {
-                        const int i = near_.numbers()[n];
-                        const double radius = grains.radius[i];
-                        row.add(i, -1, 1.0, desk_.material(grains.type[i], wall_type_),
-                                distance_to_wall(radius, overlap) * normal,
-                                {radius, as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
-                                {0.0, -speed_ * normal, Vec3::Zero()},
-                                desk_.has_dashpots() ? grains.mass[i] : 0.0, contact_memory(n));
-                        if (row.is_full()) press_row(grains, row);
-                      });
-  press_row(grains, row);
+  near_.find_touching(
+      shape, grains.x, grains.radius, [&](int n, double overlap, const Vec3& normal) {
+        const int i = near_.numbers()[n];
+        const double radius = grains.radius[i];
+        batch.add(i, -1, 1.0, context_.material(grains.type[i], wall_type_),
+                  distance_to_wall(radius, overlap) * normal,
+                  {radius, as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
+                  {0.0, -speed_ * normal, Vec3::Zero()},
+                  context_.has_dashpots() ? grains.mass[i] : 0.0, contact_memory(n));
+        if (batch.is_full()) press_batch(grains, batch);
+      });
+  press_batch(grains, batch);
 }
 
-template <typename Row>
-void RigidWall::press_row(const GrainArrays& grains, Row& row)
+template <typename Batch>
+void RigidWall::press_batch(const GrainArrays& grains, Batch& batch)
 {
-  desk_.resolve(row, advance_memory_);
+  context_.resolve(batch, advance_memory_);
   const double step = static_cast<double>(update->ntimestep);
-  for (int n = 0; n < row.count(); ++n) {
-    const int i = row.i(n);
-    const ContactStiffness stiffness = row.stiffness(n);
-    if (row.is_new(n, step) || all_are_new_) desk_.raise_mass_for_contact(i, stiffness);
-    as_vec3(grains.force + 3 * i) += row.force(n);
-    as_vec3(grains.moment + 3 * i) += row.moment_i(n);
-    own_load_.force += row.normal_force(n);
+  for (int n = 0; n < batch.count(); ++n) {
+    const int i = batch.i(n);
+    const ContactStiffness stiffness = batch.stiffness(n);
+    if (batch.is_new(n, step) || all_are_new_) context_.raise_mass_for_contact(i, stiffness);
+    as_vec3(grains.force + 3 * i) += batch.force(n);
+    as_vec3(grains.moment + 3 * i) += batch.moment_i(n);
+    own_load_.force += batch.normal_force(n);
     own_load_.stiffness += stiffness.normal;
   }
-  row.clear();
+  batch.clear();
 }
 
 }  // namespace encased_column

@@ -18,7 +18,7 @@ const KeywordTable FixMeshSurfaceShell::keywords{sleeve_keywords(), {}};
 FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : ContactMemoryFix(lmp, narg, arg),
       platens_(lmp),
-      desk_(lmp, ContactKind::sleeve)
+      context_(lmp, ContactKind::sleeve)
 {
   try {
     on_fix_line_ = keywords.read(narg, arg);
@@ -79,7 +79,7 @@ void FixMeshSurfaceShell::init()
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
     require_open_box(lmp, "mesh/surface/shell", "xy");
-    desk_.open(rolling_);
+    context_.open(rolling_);
     platens_.find();
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
@@ -103,7 +103,7 @@ void FixMeshSurfaceShell::initial_integrate(int)
 void FixMeshSurfaceShell::take_loads(bool at_set_up)
 {
   sleeve_->start_loads(step_now(), window(), at_set_up);
-  desk_.ask_probes();
+  context_.ask_probes();
   // Lists of pairs and of facets hold together: grains keep their numbers in between.
   if (neighbor->ago == 0 || sleeve_->needs_list())
     remember(sleeve_->list_grains(atom->nlocal ? atom->x[0] : nullptr, atom->radius, atom->nlocal,
@@ -142,12 +142,12 @@ void FixMeshSurfaceShell::press(bool advance_memory)
                       {grains.radius[i], as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
                       {0.0, contact.surface.velocity, contact.surface.spin}};
     const ContactAction action = resolve_contact<rolling>(
-        stiffened(desk_.material(grains.type[i], type_), contact.merged), touch, update->dt, step,
-        advance_memory, contact_memory(contact.n));
-    desk_.raise_mass_for_contact(i, action.stiffness);
+        stiffened(context_.material(grains.type[i], type_), contact.merged), touch, update->dt,
+        step, advance_memory, contact_memory(contact.n));
+    context_.raise_mass_for_contact(i, action.stiffness);
     as_vec3(grains.force + 3 * i) += action.force;
     as_vec3(grains.moment + 3 * i) += action.moment_i;
-    desk_.book(i, -1, 1.0, advance_memory, touch, action);
+    context_.book(i, -1, 1.0, advance_memory, touch, action);
     return {action.normal_force, action.force, action.moment_j,
             std::max(action.stiffness.normal, action.stiffness.shear)};
   };

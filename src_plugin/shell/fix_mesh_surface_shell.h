@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/contact_desk.h"
+#include "contact/contact_context.h"
 #include "core/keyword_table.h"
 #include "host/contact_memory_fix.h"
 #include "host/rank_sums.h"
@@ -76,7 +76,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
   int type_ = 0;
   bool rolling_ = false;
   std::unique_ptr<Sleeve> sleeve_;
-  ContactDesk desk_;
+  ContactContext context_;
 };
 
 }  // namespace encased_column

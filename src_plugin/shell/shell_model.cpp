@@ -45,7 +45,7 @@ ShellModel::ShellModel(const SurfaceMesh& mesh, const ShellConstants& constants,
       inertia_[node] += share * element.gyration_square(material_);
     }
   }
-  rows_ = FacetRows(facet_, element_, material_);
+  batches_ = FacetBatches(facet_, element_, material_);
   true_mass_ = mass_;
   true_inertia_ = inertia_;
 }
@@ -94,8 +94,8 @@ FacetState ShellModel::facet_state(int facet) const
 double ShellModel::add_internal_loads(int first, int last)
 {
   if (material_.bends() && !material_.constants().tension_only)
-    return rows_.add_loads(first, last, position_.data(), rotation_matrix_.data(), load_.data(),
-                           load_.data() + nodes());
+    return batches_.add_loads(first, last, position_.data(), rotation_matrix_.data(), load_.data(),
+                              load_.data() + nodes());
   double energy = 0.0;
   for (int f = first; f < last; ++f) {
     const FacetLoads loads = element_[f].loads(material_, corners(f), corner_rotations(f));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shell/facet_rows.h"
+#include "shell/facet_batches.h"
 #include "shell/rotation.h"
 #include "shell/shell_element.h"
 #include "shell/shell_support.h"
@@ -105,7 +105,7 @@ class ShellModel {
   ShellMaterial material_;
   std::vector<Facet> facet_;
   std::vector<ShellElement> element_;
-  FacetRows rows_;
+  FacetBatches batches_;
   std::vector<Vec3> reference_, position_, velocity_, angular_velocity_, load_, external_;
   std::vector<Vec3> velocity_before_, spin_before_;
   std::vector<Quaternion> rotation_;

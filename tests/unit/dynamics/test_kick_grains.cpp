@@ -31,7 +31,7 @@ struct Grains {
     for (double& r : radius) r = 1e-3 * (2.0 + number(random));
     for (double& m : mass) m = 1e-3 * (2.0 + number(random));
   }
-  GrainRow row()
+  GrainBatch row()
   {
     return {velocity.data(),
             spin.data(),
@@ -49,7 +49,7 @@ struct Grains {
 TEST(KickGrains, DoesWhatHalfAKickDoesToEveryGrain)
 {
   const double alpha = 0.7, half_step = 2e-9;
-  for (int count = 1; count <= longest_row; ++count) {
+  for (int count = 1; count <= largest_batch; ++count) {
     Grains together(count), one_by_one(count);
     double loss = 0.0, fastest = 0.0;
     for (int i = 0; i < count; ++i) {
@@ -59,7 +59,7 @@ TEST(KickGrains, DoesWhatHalfAKickDoesToEveryGrain)
       loss += kick(&one_by_one.moment[3 * i], alpha, half_step / inertia, half_step,
                    &one_by_one.spin[3 * i]);
     }
-    const RowKick kick = kick_grains(together.row(), alpha, half_step);
+    const BatchKick kick = kick_grains(together.row(), alpha, half_step);
     for (int k = 0; k < 3 * count; ++k) {
       EXPECT_NEAR(together.velocity[k], one_by_one.velocity[k], 1e-15) << count;
       EXPECT_NEAR(together.spin[k], one_by_one.spin[k], 1e-13 * (1 + std::abs(one_by_one.spin[k])));
@@ -91,11 +91,11 @@ TEST(KickGrains, LossIsTheWorkOfTheForcesLessTheGainInEnergy)
 
 TEST(KickGrains, TwiceIsTwoKicksToTheLastBit)
 {
-  for (const int count : {1, 7, 50, longest_row}) {
+  for (const int count : {1, 7, 50, largest_batch}) {
     Grains together(count), in_turn(count);
     const TwoKicks kicks = kick_grains_twice(together.row(), 0.7, 1e-4);
-    const RowKick last = kick_grains(in_turn.row(), 0.7, 1e-4);
-    const RowKick first = kick_grains(in_turn.row(), 0.7, 1e-4);
+    const BatchKick last = kick_grains(in_turn.row(), 0.7, 1e-4);
+    const BatchKick first = kick_grains(in_turn.row(), 0.7, 1e-4);
     EXPECT_EQ(together.velocity, in_turn.velocity);
     EXPECT_EQ(together.spin, in_turn.spin);
     EXPECT_NEAR(kicks.loss_of_last, last.loss, 1e-14 * std::abs(last.loss));

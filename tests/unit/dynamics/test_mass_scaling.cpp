@@ -103,7 +103,7 @@ TEST_F(ScaledGrains, GetTheWholeImpulseOfAStepInWhichTheyGetHeavier)
   touch_wall(10.0);
   EXPECT_EQ(masses.inertial_mass(0), 10.0);
   double force[3] = {7.0, 0.0, -2.0}, moment[3] = {0.0, 3.0, 0.0};
-  const GrainRow row{velocity, spin, force, moment, radius, masses.inertial_masses().data(), 1};
+  const GrainBatch row{velocity, spin, force, moment, radius, masses.inertial_masses().data(), 1};
   const double work = kick_grains(row, 0.0, 0.5).loss;
   EXPECT_EQ(work, 0.0);
   const double kicked = energy();

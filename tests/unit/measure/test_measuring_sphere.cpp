@@ -97,7 +97,7 @@ TEST(MeasuringSphere, StressAndContactsOfASimpleCubicLatticeAreItsClosedForm)
     const SphereMeasure m = measure(lattice_sums(ball), ball);
     EXPECT_NEAR(m.porosity, 1.0 - solid, 0.01);
     EXPECT_EQ(m.coordination_number, 6.0);
-    EXPECT_EQ(m.coordination_number_bearing, 6.0);
+    EXPECT_EQ(m.mechanical_coordination_number, 6.0);
     const Mat3 expected = stress * (1.0 - m.porosity) / solid * Mat3::Identity();
     EXPECT_LT((m.stress - expected).norm(), 1e-12 * stress);
     EXPECT_NEAR(m.axial, expected(0, 0), 1e-12 * stress);

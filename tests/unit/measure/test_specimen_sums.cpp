@@ -104,7 +104,7 @@ TEST(SpecimenColumns, KeepTheirNamesAndPlaces)
       "confining_stress [Pa],deviatoric_stress_top [Pa],deviatoric_stress_bottom [Pa],"
       "mean_stress [Pa],volumetric_strain [-],height [m],radius [m],porosity [-],"
       "porosity_less_overlap [-],coordination_number [-],"
-      "coordination_number_bearing [-],radial_strain_25 [-],radial_strain_50 [-],"
+      "mechanical_coordination_number [-],radial_strain_25 [-],radial_strain_50 [-],"
       "radial_strain_75 [-],unbalanced_average [-],unbalanced_maximum [-],"
       "inertial_number [-],work_platens [J],work_side [J],work_gravity [J],"
       "energy_elastic [J],energy_kinetic [J],loss_friction [J],loss_rolling [J],"

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "drawing/figure.h"
+#include "drawing/picture_data.h"
+#include "tables/text_layout.h"
+
+#include <kainjow/mustache.hpp>
+
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// What a template is filled with.
+using PageData = kainjow::mustache::data;
+
+/// A table of a page: `rows`, of which the first holds the headings. Columns of numbers stand to
+/// the right; where `group` names a column, its words become headings between the rows.
+PageData table_data(const std::string& id, const std::string& caption, const Rows& rows,
+                    const std::string& group = {});
+
+/// `rows` without the column called `heading`.
+Rows without(const Rows& rows, const std::string& heading);
+
+/// The figures with their charts drawn. Needs a display.
+PageData figures_data(const std::vector<Figure>& figures);
+
+/// A 3-D picture and what it shows.
+struct Picture {
+  std::string name;   ///< of its kind
+  std::string title;  ///< in a word or two
+  PictureData image;
+  std::string caption, alternative;
+};
+PageData pictures_data(const std::vector<Picture>& pictures);
+
+/// A list of objects with one text `name` each.
+PageData list_of(const std::string& name, const std::vector<std::string>& texts);
+
+/// `page`, a template of page_templates, filled with `data` and the parts it names. Throws
+/// std::logic_error if the template is malformed.
+std::string filled(const char* page, PageData data);
+
+}  // namespace encased_column

@@ -1,0 +1,135 @@
+#include "report/series_page.h"
+
+#include "core/input_error.h"
+#include "drawing/load_figures.h"
+#include "drawing/run_figures.h"
+#include "drawing/sleeve_figures.h"
+#include "drawing/triaxial_figures.h"
+#include "files/column_names.h"
+#include "page_templates.h"
+#include "report/page_parts.h"
+#include "report/picture_list.h"
+#include "tables/check_table.h"
+#include "tables/input_table.h"
+#include "tables/record_table.h"
+#include "tables/result_table.h"
+#include "tables/theory_table.h"
+
+namespace encased_column {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int small_picture_width = 400;  // px
+
+/// The tests of a set are called encased or plain.
+std::string heading_of(const SetResult& set)
+{
+  return set.tests.front().run->encased() ? "Encased" : "Plain";
+}
+
+std::vector<std::string> as_words(const TestResult& test, const RunRecord& record)
+{
+  const CaseRun& run = *test.run;
+  const CheckCount count = count_checks({{run.set(), {test}, {}}});
+  return {run.id,
+          in_words(run.confining_stress / 1e3),
+          run.resolution.empty() ? "-" : run.resolution,
+          test.grains ? std::to_string(*test.grains) : "-",
+          fixed(run.history.numbers(history_column::porosity_less_overlap).front(), 3),
+          fixed(test.peak.reported / 1e3, 0),
+          test.secant_modulus ? fixed(*test.secant_modulus / 1e6, 1) : "-",
+          fixed(100.0 * test.axial_strain.back(), 1),
+          std::to_string(count.passed()) + " of " + std::to_string(count.required),
+          std::to_string(record.warnings.size()),
+          time_of(record)};
+}
+
+void set_tests(PageData& page, const std::vector<SetResult>& sets, const fs::path& folder)
+{
+  Rows rows{{"test", "σ₃ [kPa]", "resolution", "grains [-]", "n at start [-]", "peak q [kPa]",
+             "E50 [MPa]", "strain reached [%]", "checks passed", "warnings [-]", "time"}};
+  PageData pages{PageData::type::list}, repeats{PageData::type::list};
+  for (const SetResult& set : sets)
+    for (const TestResult& test : set.tests) {
+      const RunRecord record = read_run_record(test.run->folder);
+      rows.push_back(as_words(test, record));
+      PageData link{"name", test.run->id};
+      link.set("address", fs::relative(test.run->folder / "report.html", folder).string());
+      pages << link;
+      repeats << PageData{"arguments", repeat_arguments(*test.run, record.commands.empty()
+                                                                       ? std::string()
+                                                                       : record.commands.front())};
+    }
+  page.set("tests", table_data("tests_table", "Tests of this series", rows));
+  page.set("pages", pages);
+  page.set("repeats", repeats);
+}
+
+void set_results(PageData& page, const std::vector<SetResult>& sets, const Targets& targets)
+{
+  PageData tables{PageData::type::list}, notes{PageData::type::list};
+  for (const SetResult& set : sets) {
+    Rows rows{result_headings};
+    for (const ResultRow& row : result_rows(set, targets)) {
+      rows.push_back(as_words(row));
+      rows.back()[1] += row.unit == "-" ? "" : " [" + row.unit + "]";
+    }
+    tables << table_data(
+        "results_" + set.set,
+        heading_of(set) + " triaxial tests, q from the " + platen_name(set.tests.front().platen),
+        without(rows, "unit"), "quantity");
+    for (const std::string& note : result_notes(set)) notes << PageData{"sentence", note};
+  }
+  page.set("results", tables);
+  page.set("notes", notes);
+  const Rows theory = theory_rows(sets);
+  if (theory.size() > 1)
+    page.set("theory", table_data("theory", "Encased tests beside the closed form", theory));
+}
+
+std::vector<Figure> series_figures(const std::vector<SetResult>& sets, const Targets& targets)
+{
+  std::vector<Figure> figures = triaxial_figures(sets, targets);
+  for (const Figure& figure : load_figures(sets, targets)) figures.push_back(figure);
+  for (const Figure& figure : sleeve_figures(sets, targets)) figures.push_back(figure);
+  figures.push_back(check_figure(sets));
+  return figures;
+}
+
+}  // namespace
+
+std::string series_page(const std::vector<SetResult>& sets, const Targets& targets,
+                        const fs::path& folder, const std::vector<std::string>& left_out)
+{
+  PageData page;
+  std::string kinds;
+  std::size_t tests = 0;
+  std::vector<Picture> pictures;
+  for (const SetResult& set : sets) {
+    kinds += kinds.empty() ? heading_of(set) : " and encased";  // plain tests come first
+    tests += set.tests.size();
+    for (const TestResult& test : set.tests)
+      for (Picture& picture : pictures_of(*test.run, folder / "figures", small_picture_width))
+        pictures.push_back(std::move(picture));
+  }
+  page.set("title", kinds + " triaxial tests: series " + fs::canonical(folder).filename().string());
+  page.set("subtitle", std::to_string(tests) + (tests == 1 ? " test" : " tests") +
+                           " of cinder gravel beside the laboratory and the numerical model of "
+                           "the study.");
+  set_tests(page, sets, folder);
+  page.set("left_out", list_of("sentence", left_out));
+  set_results(page, sets, targets);
+  page.set("figures", figures_data(series_figures(sets, targets)));
+  page.set("has_pictures",
+           pictures.empty() ? PageData::type::bool_false : PageData::type::bool_true);
+  page.set("picture_list", pictures_data(pictures));
+  const CheckCount count = count_checks(sets);
+  page.set("check_sentence", count.sentence());
+  page.set("failed", count.failed ? PageData::type::bool_true : PageData::type::bool_false);
+  page.set("checks", table_data("checks_table", "Checks of all tests", check_rows(sets), "check"));
+  return filled(page_templates::series_page, page);
+}
+
+}  // namespace encased_column

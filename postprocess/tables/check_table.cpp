@@ -1,0 +1,63 @@
+#include "tables/check_table.h"
+
+#include "core/input_error.h"
+#include "tables/text_layout.h"
+
+namespace encased_column {
+
+namespace {
+
+std::string verdict(const Check& check)
+{
+  if (!check.made) return "not made";
+  if (check.passed()) return "pass";
+  return check.required ? "FAIL" : "not required";
+}
+
+}  // namespace
+
+Rows check_rows(const std::vector<SetResult>& sets)
+{
+  Rows rows{{"test", "check", "found", "allowed", "verdict"}};
+  for (const SetResult& set : sets)
+    for (const TestResult& test : set.tests)
+      for (const Check& check : test.checks) {
+        char found[32] = "-";
+        if (check.made) std::snprintf(found, sizeof found, "%.3g", check.found);
+        rows.push_back({test.run->id, check.name, found, in_words(check.allowed), verdict(check)});
+      }
+  return rows;
+}
+
+std::string CheckCount::sentence() const
+{
+  std::string text = std::to_string(failed) + " of " + std::to_string(required) + " checks missed";
+  if (not_made > 0) text += ", " + std::to_string(not_made) + " not made";
+  return text + '.';
+}
+
+CheckCount count_checks(const std::vector<SetResult>& sets)
+{
+  CheckCount count;
+  for (const SetResult& set : sets)
+    for (const TestResult& test : set.tests)
+      for (const Check& check : test.checks) {
+        count.required += check.required;
+        count.failed += check.required && check.missed();
+        count.not_made += check.required && !check.made;
+      }
+  return count;
+}
+
+std::string check_text(const std::vector<SetResult>& sets)
+{
+  return aligned(check_rows(sets), {false, false, true, true, false}) +
+         count_checks(sets).sentence() + '\n';
+}
+
+std::string check_csv(const std::vector<SetResult>& sets)
+{
+  return comma_separated(check_rows(sets));
+}
+
+}  // namespace encased_column

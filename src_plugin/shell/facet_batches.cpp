@@ -1,0 +1,52 @@
+#include "shell/facet_batches.h"
+
+#include "shell/shell_element.h"
+
+#include <algorithm>
+
+namespace encased_column {
+
+FacetBatches::FacetBatches(const std::vector<Facet>& facet,
+                           const std::vector<ShellElement>& element, const ShellMaterial& material)
+    : batches_((facet.size() + size - 1) / size),
+      membrane_(material.membrane())
+{
+  for (std::size_t f = 0; f < facet.size(); ++f) {
+    Batch& batch = batches_[f / size];
+    const std::size_t n = f % size;
+    const FacetReference& reference = element[f].reference();
+    batch.node[n] = facet[f];
+    batch.normal[n] = element[f].normal();
+    batch.area[n] = reference.area;
+    for (int k = 0; k < 4; ++k) batch.gradient[k][n] = reference.gradient(k / 2, 1 + k % 2);
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j <= i; ++j) batch.bending[place(i, j)][n] = reference.bending(i, j);
+  }
+}
+
+double FacetBatches::add_loads(int first, int last, const Vec3* position, const Mat3* rotation,
+                               Vec3* force, Vec3* moment)
+{
+  double energy = 0.0;
+  for (int f = first; f < last;) {
+    const Batch& batch = batches_[f / size];
+    const int begin = f % size, end = std::min(size, begin + last - f);
+    for (int n = begin; n < end; ++n)
+      for (int i = 0; i < 3; ++i) {
+        const int node = batch.node[n][i];
+        position_[i].set(n, position[node]);
+        director_[i].set(n, rotation[node] * batch.normal[n]);
+      }
+    energy += resolve(batch, begin, end);
+    for (int n = begin; n < end; ++n)
+      for (int i = 0; i < 3; ++i) {
+        const int node = batch.node[n][i];
+        force[node] += force_[i].at(n);
+        moment[node] += moment_[i].at(n);
+      }
+    f += end - begin;
+  }
+  return energy;
+}
+
+}  // namespace encased_column

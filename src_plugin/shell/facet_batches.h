@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/vector_row.h"
+#include "shell/surface_mesh.h"
+
+#include <vector>
+
+namespace encased_column {
+
+class ShellElement;
+class ShellMaterial;
+
+/// The facets of a sleeve side by side, so that the vector units of the machine see to several at
+/// once: facet_loads() of each, for a membrane that does not wrinkle and bends.
+class FacetBatches {
+ public:
+  static constexpr int size = 32;  ///< of a batch
+
+  FacetBatches() = default;
+  FacetBatches(const std::vector<Facet>& facet, const std::vector<ShellElement>& element,
+               const ShellMaterial& material);
+
+  /// Adds the loads of facets [first, last) to the forces [N] and moments [N m] of the nodes, in
+  /// the order of the facets; returns their energy [J].
+  double add_loads(int first, int last, const Vec3* position, const Mat3* rotation, Vec3* force,
+                   Vec3* moment);
+
+ private:
+  // One of the files behind this one keeps Eigen from aligning matrices: these have nothing to
+  // align.
+  static_assert(alignof(Vec3) == alignof(double) && alignof(Mat3) == alignof(double));
+
+  using Numbers = double[size];
+  static constexpr int symmetric = 21;  ///< numbers of a symmetric 6 x 6 matrix
+  /// Place of (i, j) among them.
+  static constexpr int place(int i, int j)
+  {
+    return i < j ? j * (j + 1) / 2 + i : i * (i + 1) / 2 + j;
+  }
+  struct Batch {
+    Facet node[size];
+    Vec3 normal[size];
+    Numbers area, gradient[4], bending[symmetric];
+  };
+  struct InBatch;
+
+  double resolve(const Batch& batch, int first, int last);
+  double resolve_one(const Batch& batch, int n);
+
+  std::vector<Batch> batches_;
+  Mat3 membrane_;
+  /// Of the nodes of the batch at hand: in, then out.
+  alignas(64) VectorRow<size> position_[3], director_[3], force_[3], moment_[3];
+};
+
+}  // namespace encased_column
