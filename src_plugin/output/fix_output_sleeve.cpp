@@ -5,7 +5,7 @@
 #include "host/restart_block.h"
 #include "host/say_understood.h"
 #include "output/sleeve_columns.h"
-#include "output/vtk_sleeve_writer.h"
+#include "output/sleeve_fields.h"
 #include "shell/fix_mesh_surface_shell.h"
 
 #include <numeric>

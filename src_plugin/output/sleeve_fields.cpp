@@ -1,4 +1,4 @@
-#include "output/vtk_sleeve_writer.h"
+#include "output/sleeve_fields.h"
 
 #include "files/vtk_file.h"
 
