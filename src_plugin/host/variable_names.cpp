@@ -1,36 +1,32 @@
 #include "host/variable_names.h"
 
 #include "host/host_types.h"
+#include "host/reveal.h"
 
 #include "variable.h"
 
 namespace encased_column {
 
-namespace {
-
-// The host keeps its list of variables to itself; see plugin_entry.cpp.
-template <typename Tag, typename Tag::type member>
-struct Reveal {
-  friend typename Tag::type reveal(Tag) { return member; }
-};
-
-struct Count {
+// The host keeps its list of variables to itself.
+struct VariableCount {
   using type = int LAMMPS_NS::Variable::*;
-  friend type reveal(Count);
+  friend type reveal(VariableCount);
 };
-template struct Reveal<Count, &LAMMPS_NS::Variable::nvar>;
+template struct Reveal<VariableCount, &LAMMPS_NS::Variable::nvar>;
 
-struct Names {
+struct VariableNames {
   using type = char** LAMMPS_NS::Variable::*;
-  friend type reveal(Names);
+  friend type reveal(VariableNames);
 };
-template struct Reveal<Names, &LAMMPS_NS::Variable::names>;
+template struct Reveal<VariableNames, &LAMMPS_NS::Variable::names>;
 
-struct Styles {
+struct VariableStyles {
   using type = int* LAMMPS_NS::Variable::*;
-  friend type reveal(Styles);
+  friend type reveal(VariableStyles);
 };
-template struct Reveal<Styles, &LAMMPS_NS::Variable::style>;
+template struct Reveal<VariableStyles, &LAMMPS_NS::Variable::style>;
+
+namespace {
 
 /// The host's numbers of its styles; nullptr for those that have no one value.
 const char* style_name(int style)
@@ -52,9 +48,9 @@ const char* style_name(int style)
 std::vector<std::pair<std::string, std::string>> variable_names(const LAMMPS_NS::Variable& all)
 {
   std::vector<std::pair<std::string, std::string>> found;
-  for (int n = 0; n < all.*reveal(Count()); ++n)
-    if (const char* style = style_name((all.*reveal(Styles()))[n]))
-      found.emplace_back((all.*reveal(Names()))[n], style);
+  for (int n = 0; n < all.*reveal(VariableCount()); ++n)
+    if (const char* style = style_name((all.*reveal(VariableStyles()))[n]))
+      found.emplace_back((all.*reveal(VariableNames()))[n], style);
   return found;
 }
 

@@ -57,7 +57,7 @@ FixMeasureSphere::FixMeasureSphere(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
       throw InputError(
           "'frames' goes with 'folder', found it alone, write for example 'folder spheres'");
     if (options.has("folder")) {
-      series_ = files_.series(options, "spheres");
+      series_ = make_series(files_, options, "spheres");
       options.assume("frames", std::to_string(frame_every_));
     }
     say_understood(lmp, *this, options);

@@ -43,7 +43,7 @@ FixOutputContacts::FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** ar
     forces_ = ContactForces(contact_levels(options));
     file_ =
         CsvSeries(files_.file(options, "file", "contacts.csv"), contact_headings(forces_.levels()));
-    series_ = files_.series(options, "contacts");
+    series_ = make_series(files_, options, "contacts");
     say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());

@@ -1,59 +1,51 @@
 #include "output/sleeve_fields.h"
 
-#include "files/vtk_file.h"
-
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-
 #include <cmath>
 
 namespace encased_column {
 
 namespace {
 
-void add_surface(vtkPolyData* data, const ShellModel& model)
+/// A field of `count` places, at each of them what `value(n)` gives.
+template <int components, typename Value>
+SurfaceField field(const char* name, int count, const Value& value)
 {
-  vtkNew<vtkPoints> points;
-  points->SetNumberOfPoints(model.nodes());
-  for (int i = 0; i < model.nodes(); ++i) points->SetPoint(i, model.position()[i].data());
-  vtkNew<vtkCellArray> facets;
-  for (const Facet& f : model.facet()) {
-    const vtkIdType corners[3] = {f[0], f[1], f[2]};
-    facets->InsertNextCell(3, corners);
+  SurfaceField made{name, components, {}};
+  for (int n = 0; n < count; ++n) {
+    const Eigen::Matrix<double, components, 1> tuple(value(n));
+    made.values.insert(made.values.end(), tuple.data(), tuple.data() + components);
   }
-  data->SetPoints(points);
-  data->SetPolys(facets);
+  return made;
 }
 
-void add_node_fields(vtkPolyData* data, const ShellModel& model, const std::vector<Vec3>& before,
-                     const Vec3& axis)
+}  // namespace
+
+std::vector<SurfaceField> sleeve_node_fields(const ShellModel& model,
+                                             const std::vector<Vec3>& before, const Vec3& axis)
 {
   const auto from_axis = [&axis](const Vec3& x) {
     return std::hypot(x.x() - axis.x(), x.y() - axis.y());
   };
   const int nodes = model.nodes();
-  vtkPointData* to = data->GetPointData();
-  add_array<3>(to, "displacement [m]", nodes,
-               [&](int i) -> Vec3 { return model.position()[i] - before[i]; });
-  add_array<1>(to, "radial_displacement [m]", nodes,
-               [&](int i) { return from_axis(model.position()[i]) - from_axis(before[i]); });
-  add_array<3>(to, "rotation [rad]", nodes,
-               [&](int i) { return rotation_vector(model.rotation()[i]); });
-  add_array<3>(to, "velocity [m/s]", nodes, [&](int i) -> Vec3 { return model.velocity()[i]; });
+  return {
+      field<3>("displacement [m]", nodes,
+               [&](int i) -> Vec3 { return model.position()[i] - before[i]; }),
+      field<1>("radial_displacement [m]", nodes,
+               [&](int i) { return from_axis(model.position()[i]) - from_axis(before[i]); }),
+      field<3>("rotation [rad]", nodes,
+               [&](int i) { return rotation_vector(model.rotation()[i]); }),
+      field<3>("velocity [m/s]", nodes, [&](int i) -> Vec3 { return model.velocity()[i]; }),
+  };
 }
 
-void add_facet_fields(vtkPolyData* data, const ShellModel& model)
+std::vector<SurfaceField> sleeve_facet_fields(const ShellModel& model)
 {
   std::vector<FacetState> state;
   for (int f = 0; f < model.facets(); ++f) state.push_back(model.facet_state(f));
-  const int facets = model.facets();
-  vtkCellData* to = data->GetCellData();
-  const auto add = [&](const char* name, PlaneVector FacetState::*field, int component) {
-    add_array<1>(to, name, facets, [&](int f) { return (state[f].*field)(component); });
+  std::vector<SurfaceField> fields;
+  const auto add = [&](const char* name, PlaneVector FacetState::*quantity, int component) {
+    fields.push_back(
+        field<1>(name, model.facets(), [&](int f) { return (state[f].*quantity)(component); }));
   };
   add("hoop_strain [-]", &FacetState::strain, 0);
   add("axial_strain [-]", &FacetState::strain, 1);
@@ -62,20 +54,10 @@ void add_facet_fields(vtkPolyData* data, const ShellModel& model)
   add("shear_force [N/m]", &FacetState::membrane_force, 2);
   add("hoop_moment [N m/m]", &FacetState::moment, 0);
   add("axial_moment [N m/m]", &FacetState::moment, 1);
-  add_array<1>(to, "energy [J]", facets,
-               [&](int f) { return state[f].membrane_energy + state[f].bending_energy; });
-}
-
-}  // namespace
-
-bool write_sleeve(const std::string& path, const ShellModel& model, const std::vector<Vec3>& before,
-                  const Vec3& axis)
-{
-  vtkNew<vtkPolyData> data;
-  add_surface(data, model);
-  add_node_fields(data, model, before, axis);
-  add_facet_fields(data, model);
-  return write_poly_data(path, data);
+  fields.push_back(field<1>("energy [J]", model.facets(), [&](int f) {
+    return state[f].membrane_energy + state[f].bending_energy;
+  }));
+  return fields;
 }
 
 }  // namespace encased_column

@@ -1,19 +1,20 @@
 #pragma once
 
+#include "files/vtk_surface_writer.h"
 #include "shell/shell_model.h"
 
-#include <string>
+#include <vector>
 
 namespace encased_column {
 
-/// Writes a sleeve as triangles of a VTK XML file (.vtp), reals in single precision; displacements
-/// count from the positions `before`, radial ones about `axis`. False when the file cannot be
-/// written.
-///
-/// Per node: displacement, radial_displacement [m], rotation [rad], velocity [m/s]. Per facet: hoop
-/// and axial strain [-], hoop_tension, axial_force, shear_force [N/m], hoop_moment, axial_moment [N
-/// m/m], energy [J]. Tension and stretch are positive.
-bool write_sleeve(const std::string& path, const ShellModel& model, const std::vector<Vec3>& before,
-                  const Vec3& axis);
+/// What the VTK file of a sleeve holds at its nodes: displacement, radial_displacement [m],
+/// rotation [rad], velocity [m/s]. Displacements count from the positions `before`, radial ones
+/// about `axis`.
+std::vector<SurfaceField> sleeve_node_fields(const ShellModel& model,
+                                             const std::vector<Vec3>& before, const Vec3& axis);
+
+/// What it holds in each facet: hoop and axial strain [-], hoop_tension, axial_force, shear_force
+/// [N/m], hoop_moment, axial_moment [N m/m], energy [J]. Tension and stretch are positive.
+std::vector<SurfaceField> sleeve_facet_fields(const ShellModel& model);
 
 }  // namespace encased_column

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/contact_context.h"
+#include "contact/contact_memory_fix.h"
 #include "core/keyword_table.h"
-#include "host/contact_memory_fix.h"
 #include "host/rank_sums.h"
 #include "shell/sleeve.h"
 #include "specimen/lateral_boundary.h"

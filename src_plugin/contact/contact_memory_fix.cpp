@@ -1,4 +1,4 @@
-#include "host/contact_memory_fix.h"
+#include "contact/contact_memory_fix.h"
 
 #include "host/require_grains.h"
 
