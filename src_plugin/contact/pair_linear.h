@@ -6,7 +6,7 @@
 #include "contact/pair_loop.h"
 #include "contact/touching_pairs.h"
 #include "core/input_error.h"
-#include "host/grain_arrays.h"
+#include "host/grains_and_box.h"
 
 namespace encased_column {
 

@@ -2,7 +2,7 @@
 
 #include "core/input_error.h"
 #include "dynamics/read_mass_rule.h"
-#include "host/pair_history.h"
+#include "host/contact_history.h"
 #include "host/restart_block.h"
 #include "host/run_clock.h"
 

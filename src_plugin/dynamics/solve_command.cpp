@@ -3,6 +3,7 @@
 #include "core/input_error.h"
 #include "core/read_number.h"
 #include "dynamics/fix_motion.h"
+#include "host/find_fix.h"
 
 #include "integrate.h"
 #include "output.h"

@@ -1,9 +1,9 @@
 #include "host/output_files.h"
 
 #include "core/input_error.h"
-#include "host/first_rank.h"
+#include "host/messages.h"
 #include "host/output_paths.h"
-#include "host/stop_run.h"
+#include "host/ranks.h"
 
 #include "dump.h"
 #include "output.h"

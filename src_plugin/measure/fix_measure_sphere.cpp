@@ -2,10 +2,10 @@
 
 #include "core/input_error.h"
 #include "files/vtk_spheres_writer.h"
-#include "host/box_of_run.h"
-#include "host/rank_sums.h"
+#include "host/grains_and_box.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
 #include "measure/see_contact.h"
 
 #include <numeric>

@@ -2,7 +2,7 @@
 
 #include "core/keyword_table.h"
 #include "files/csv_series.h"
-#include "host/contact_counter.h"
+#include "host/contact_observer.h"
 #include "host/output_files.h"
 #include "measure/specimen_columns.h"
 #include "specimen/platens_of_deck.h"

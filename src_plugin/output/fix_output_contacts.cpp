@@ -1,10 +1,9 @@
 #include "output/fix_output_contacts.h"
 
 #include "core/input_error.h"
-#include "host/gather.h"
-#include "host/rank_sums.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
 
 #include <algorithm>
 #include <numeric>

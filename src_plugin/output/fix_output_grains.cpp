@@ -1,10 +1,10 @@
 #include "output/fix_output_grains.h"
 
 #include "core/input_error.h"
-#include "host/box_of_run.h"
-#include "host/gather.h"
+#include "host/grains_and_box.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
 #include "output/grain_strains.h"
 
 #include <algorithm>

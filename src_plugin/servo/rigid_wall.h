@@ -4,7 +4,7 @@
 #include "contact/contact_memory_fix.h"
 #include "core/input_error.h"
 #include "core/keyword_table.h"
-#include "host/grain_arrays.h"
+#include "host/grains_and_box.h"
 #include "servo/near_grains.h"
 #include "servo/wall_motion.h"
 

@@ -1,9 +1,8 @@
 #include "shell/fix_mesh_surface_shell.h"
 
-#include "host/box_of_run.h"
-#include "host/grain_arrays.h"
+#include "host/grains_and_box.h"
+#include "host/messages.h"
 #include "host/restart_block.h"
-#include "host/stop_run.h"
 #include "shell/sleeve_input.h"
 
 #include "pair_gran.h"
