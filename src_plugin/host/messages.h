@@ -24,12 +24,14 @@ namespace encased_column {
 }
 
 /// Says in the log what `fix` will use, defaults included: once all its keywords are read, on its
-/// own line and on that of `fix_modify`.
+/// own line and on that of `fix_modify`. `style` is the deck's word for it where the fix has taken
+/// another name.
 inline void say_understood(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix& fix,
-                           const Options& options, const char* command = "fix")
+                           const Options& options, const char* command = "fix",
+                           const char* style = nullptr)
 {
   if (lmp->comm->me != 0 || !lmp->logfile) return;
-  std::fprintf(lmp->logfile, "%s %s (%s) uses: %s\n", command, fix.id, fix.style,
+  std::fprintf(lmp->logfile, "%s %s (%s) uses: %s\n", command, fix.id, style ? style : fix.style,
                options.understood().c_str());
 }
 

@@ -76,6 +76,7 @@ ShellConstants read_shell_constants(const Options& options)
   constants.tension_only = is_yes(options, "tension_only", false);
   if (options.has("bending_thickness"))
     constants.bending_thickness = options.not_negative("bending_thickness", 0.0);
+  options.assume("bending_thickness", constants.thickness);
   if (options.has("modulus_axial"))
     constants.modulus_axial = options.positive("modulus_axial");
   else if (options.has("shear_modulus"))
@@ -102,7 +103,7 @@ SleeveControl read_sleeve_control(const Options& options, const SleeveControl& n
       options.choice("pressed", {"between", "everywhere"},
                      now.pressed_everywhere ? "everywhere" : "between") == "everywhere";
   control.damping = options.between("damping", 0.0, 0.99, now.damping);
-  if (options.has("strain_limit")) control.strain_limit = options.positive("strain_limit");
+  control.strain_limit = options.positive("strain_limit", now.strain_limit);
   if (options.has("rupture")) control.rupture = options.positive("rupture");
   const auto& names = sleeve_end_names();
   for (int n = 0; n < 2; ++n)
