@@ -1,6 +1,6 @@
 #include "plugin_entry.h"
 
-#include "contact/coincident_grains.h"
+#include "contact/grain_grid.h"
 #include "core/input_error.h"
 #include "files/restart_file.h"
 #include "host/contact_history.h"

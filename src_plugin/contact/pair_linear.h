@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/listed_pairs.h"
 #include "contact/model_linear.h"
 #include "contact/pair_list.h"
 #include "contact/pair_loop.h"

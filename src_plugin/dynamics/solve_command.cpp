@@ -1,7 +1,6 @@
 #include "dynamics/solve_command.h"
 
 #include "core/input_error.h"
-#include "core/read_number.h"
 #include "dynamics/fix_motion.h"
 #include "host/find_fix.h"
 

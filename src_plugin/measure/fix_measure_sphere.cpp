@@ -1,7 +1,7 @@
 #include "measure/fix_measure_sphere.h"
 
 #include "core/input_error.h"
-#include "files/vtk_spheres_writer.h"
+#include "files/vtk_files.h"
 #include "host/grains_and_box.h"
 #include "host/messages.h"
 #include "host/ranks.h"

@@ -5,7 +5,7 @@
 #include "host/messages.h"
 #include "host/ranks.h"
 #include "host/restart_block.h"
-#include "output/grain_strains.h"
+#include "output/grain_track.h"
 
 #include <algorithm>
 #include <cstring>

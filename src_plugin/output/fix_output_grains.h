@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "files/vtk_grains_writer.h"
+#include "files/vtk_files.h"
 #include "files/vtk_series.h"
 #include "host/contact_observer.h"
 #include "host/output_files.h"

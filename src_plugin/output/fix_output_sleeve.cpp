@@ -1,7 +1,7 @@
 #include "output/fix_output_sleeve.h"
 
 #include "core/input_error.h"
-#include "files/vtk_surface_writer.h"
+#include "files/vtk_files.h"
 #include "host/find_fix.h"
 #include "host/messages.h"
 #include "host/restart_block.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "files/vtk_surface_writer.h"
+#include "files/vtk_files.h"
 #include "shell/shell_model.h"
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include "servo/fix_servo_cylinder.h"
 
-#include "core/read_number.h"
+#include "core/input_error.h"
 #include "host/grains_and_box.h"
 
 namespace encased_column {
