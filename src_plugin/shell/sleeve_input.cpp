@@ -39,7 +39,7 @@ const std::vector<Keyword>& sleeve_keywords()
       {"rigid", 1, "-", "`yes`: the sleeve stands still until it is released by `no` (default)"},
       {"pressure", 1, "Pa", "from outside, on what lies between the platens (default 0)"},
       {"ramp", 1, "steps", "with `pressure`: it gets there linearly in so many steps"},
-      {"pressed", 1, "-", "`between` the platens (default) or `everywhere`"},
+      {"pressed", 1, "-", "`between` (default): between the platens; or `everywhere`"},
       {"damping", 1, "-", "local damping alpha, 0 to 0.99 (default 0.7)"},
       {"mass_scaling", 1, "-",
        "`yes` (default): nodes as heavy as the step asks for; `no`: true masses"},
