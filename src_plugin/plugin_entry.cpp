@@ -1,13 +1,14 @@
 #include "plugin_entry.h"
 
-#include "contact/coincident_grains.h"
+#include "contact/grain_grid.h"
 #include "core/input_error.h"
 #include "files/restart_file.h"
+#include "host/contact_history.h"
 #include "host/contact_law.h"
 #include "host/fix_stop_request.h"
-#include "host/one_rank_errors.h"
+#include "host/messages.h"
 #include "host/output_files.h"
-#include "host/renumber_grains.h"
+#include "host/reveal.h"
 #include "shell/refuse_as_mesh.h"
 #include "style_table.h"
 
@@ -23,15 +24,7 @@
 
 namespace encased_column {
 
-namespace {
-
-// The maps of styles and the word of a command are private in the host. Explicit instantiation may
-// name private members, so these three reach them without a change to the host.
-template <typename Tag, typename Tag::type member>
-struct Reveal {
-  friend typename Tag::type reveal(Tag) { return member; }
-};
-
+// The maps of styles and the word of a command are private in the host.
 struct FixMap {
   using type = std::map<std::string, FixCreator>* LAMMPS_NS::Modify::*;
   friend type reveal(FixMap);
@@ -49,6 +42,8 @@ struct CommandWord {
   friend type reveal(CommandWord);
 };
 template struct Reveal<CommandWord, &LAMMPS_NS::Input::command>;
+
+namespace {
 
 std::map<std::string, CommandCreator>& commands_of(LAMMPS_NS::LAMMPS* lmp)
 {

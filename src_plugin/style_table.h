@@ -2,7 +2,7 @@
 
 #include "core/keyword_table.h"
 #include "files/column.h"
-#include "host/creators.h"
+#include "host/host_types.h"
 
 #include <string>
 #include <type_traits>

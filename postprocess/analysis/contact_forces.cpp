@@ -1,6 +1,6 @@
 #include "analysis/contact_forces.h"
 
-#include "core/read_number.h"
+#include "core/input_error.h"
 #include "files/column_names.h"
 
 namespace encased_column {

@@ -1,6 +1,7 @@
 #include "contact/contact_context.h"
 
-#include "host/pair_property.h"
+#include "host/contact_law.h"
+#include "host/find_fix.h"
 
 #include <optional>
 

@@ -2,6 +2,8 @@
 
 #include "core/vec3.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace encased_column {
@@ -77,5 +79,9 @@ class GrainGrid {
   std::vector<Level> levels_;
   std::vector<std::vector<Sphere>> classes_;  ///< kept for their memory
 };
+
+/// Two of `count` grains whose centers, three numbers each [m], are the same point: no direction
+/// leads from one to the other, and no contact law can part them.
+std::optional<std::pair<int, int>> find_coincident(const double* centers, int count);
 
 }  // namespace encased_column

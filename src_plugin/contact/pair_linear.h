@@ -1,12 +1,11 @@
 #pragma once
 
-#include "contact/listed_pairs.h"
 #include "contact/model_linear.h"
 #include "contact/pair_list.h"
 #include "contact/pair_loop.h"
 #include "contact/touching_pairs.h"
 #include "core/input_error.h"
-#include "host/grain_arrays.h"
+#include "host/grains_and_box.h"
 
 namespace encased_column {
 

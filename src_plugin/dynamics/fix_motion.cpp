@@ -2,7 +2,8 @@
 
 #include "core/input_error.h"
 #include "dynamics/read_mass_rule.h"
-#include "host/pair_history.h"
+#include "host/contact_history.h"
+#include "host/messages.h"
 #include "host/restart_block.h"
 #include "host/run_clock.h"
 
@@ -14,7 +15,9 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : GrainNumberFix(lmp, narg, arg, mass_scaling.inertial_masses())
 {
   try {
-    settings_ = MotionSettings::read(narg, arg);
+    const Options options = keywords.read(narg, arg);
+    settings_ = MotionSettings::read(options);
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -30,7 +33,9 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 int FixMotion::modify_param(int narg, char** arg)
 {
   try {
-    settings_.modify(narg, arg, id);
+    const Options options = keywords.read(narg, arg, 0);
+    settings_.modify(options, id);
+    say_understood(lmp, *this, options, "fix_modify");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

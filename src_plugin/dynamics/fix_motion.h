@@ -7,7 +7,7 @@
 #include "host/contact_observer.h"
 #include "host/force_start.h"
 #include "host/grain_number_fix.h"
-#include "host/rank_sums.h"
+#include "host/ranks.h"
 #include "host/velocity_watchers.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "dynamics/mass_scaling.h"
 
 #include "core/constants.h"
-#include "dynamics/kinetic_energy.h"
+#include "dynamics/inertia.h"
 
 #include <algorithm>
 #include <tuple>

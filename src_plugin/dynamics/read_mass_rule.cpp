@@ -1,8 +1,8 @@
 #include "dynamics/read_mass_rule.h"
 
 #include "core/input_error.h"
-#include "host/pair_property.h"
-#include "host/rank_sums.h"
+#include "host/contact_law.h"
+#include "host/ranks.h"
 
 #include "pair_gran.h"
 

@@ -1,8 +1,8 @@
 #include "dynamics/solve_command.h"
 
 #include "core/input_error.h"
-#include "core/read_number.h"
 #include "dynamics/fix_motion.h"
+#include "host/find_fix.h"
 
 #include "integrate.h"
 #include "output.h"

@@ -1,7 +1,6 @@
 #include "files/restart_file.h"
 
 #include "core/input_error.h"
-#include "files/restart_seal.h"
 
 #include <cstdint>
 #include <cstring>

@@ -4,9 +4,9 @@
 #include "dynamics/fix_motion.h"
 #include "host/find_fix.h"
 #include "host/gravity.h"
-#include "host/rank_sums.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
 #include "measure/see_contact.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include "measure/specimen_columns.h"
+#include "measure/specimen_sums.h"
 
-#include "dynamics/inertial_number.h"
+#include "dynamics/inertia.h"
 #include "files/column_names.h"
-#include "measure/coordination.h"
+#include "measure/seen_contact.h"
 
 namespace encased_column {
 

@@ -2,9 +2,9 @@
 
 #include "core/input_error.h"
 #include "files/atomic_file.h"
-#include "files/restart_seal.h"
-#include "host/rank_sums.h"
-#include "host/say_understood.h"
+#include "files/restart_file.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 
 #include "signal_handling.h"
 #include "write_restart.h"

@@ -1,9 +1,9 @@
 #include "packing/fix_grow_radius.h"
 
 #include "core/input_error.h"
-#include "host/rank_sums.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
 #include "packing/growth_law.h"
 
 namespace encased_column {

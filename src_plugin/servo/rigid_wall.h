@@ -1,10 +1,10 @@
 #pragma once
 
 #include "contact/contact_context.h"
+#include "contact/contact_memory_fix.h"
 #include "core/input_error.h"
 #include "core/keyword_table.h"
-#include "host/contact_memory_fix.h"
-#include "host/grain_arrays.h"
+#include "host/grains_and_box.h"
 #include "servo/near_grains.h"
 #include "servo/wall_motion.h"
 

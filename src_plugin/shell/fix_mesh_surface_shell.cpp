@@ -1,9 +1,8 @@
 #include "shell/fix_mesh_surface_shell.h"
 
-#include "host/box_of_run.h"
-#include "host/grain_arrays.h"
+#include "host/grains_and_box.h"
+#include "host/messages.h"
 #include "host/restart_block.h"
-#include "host/stop_run.h"
 #include "shell/sleeve_input.h"
 
 #include "pair_gran.h"
@@ -14,6 +13,12 @@
 namespace encased_column {
 
 const KeywordTable FixMeshSurfaceShell::keywords{sleeve_keywords(), {}};
+
+namespace {
+
+const char* const deck_style = "mesh/surface/shell";
+
+}  // namespace
 
 FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : ContactMemoryFix(lmp, narg, arg),
@@ -34,6 +39,7 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
                                  read_nodal_mass_rule(on_fix_line_), Rank{comm->me, comm->nprocs});
     sleeve_->set_control(read_sleeve_control(on_fix_line_, {}), update->ntimestep);
     read_pressure(on_fix_line_);
+    say_understood(lmp, *this, on_fix_line_, "fix", deck_style);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -52,6 +58,8 @@ void FixMeshSurfaceShell::read_pressure(const Options& options)
   if (options.has("pressure"))
     sleeve_->set_pressure(options.number("pressure"), options.integer("ramp", 1, 1),
                           update->ntimestep);
+  const long reached = update->ntimestep + sleeve_->ramp_left(update->ntimestep);
+  options.assume("pressure", sleeve_->pressure(reached));
 }
 
 int FixMeshSurfaceShell::modify_param(int narg, char** arg)
@@ -61,6 +69,7 @@ int FixMeshSurfaceShell::modify_param(int narg, char** arg)
     require_changeable(options);
     sleeve_->set_control(read_sleeve_control(options, sleeve_->control()), update->ntimestep);
     read_pressure(options);
+    say_understood(lmp, *this, options, "fix_modify", deck_style);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -78,7 +87,7 @@ void FixMeshSurfaceShell::init()
   auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
-    require_open_box(lmp, "mesh/surface/shell", "xy");
+    require_open_box(lmp, deck_style, "xy");
     context_.open(rolling_);
     platens_.find();
   } catch (const InputError& problem) {
@@ -231,6 +240,7 @@ void FixMeshSurfaceShell::restart(char* buffer)
     block.take(state.data(), state.size());
     sleeve_->restore(state);
     read_pressure(on_fix_line_);
+    say_understood(lmp, *this, on_fix_line_, "fix", deck_style);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

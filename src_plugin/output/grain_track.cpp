@@ -1,4 +1,4 @@
-#include "output/grain_strains.h"
+#include "output/grain_track.h"
 
 #include "measure/local_strain.h"
 

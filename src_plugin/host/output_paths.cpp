@@ -1,4 +1,4 @@
-#include "files/output_paths.h"
+#include "host/output_paths.h"
 
 #include <algorithm>
 #include <cstdlib>

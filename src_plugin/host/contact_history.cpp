@@ -1,6 +1,7 @@
-#include "host/renumber_grains.h"
+#include "host/contact_history.h"
 
 #include "host/contact_observer.h"
+#include "host/find_fix.h"
 
 #include "fix_contact_history.h"
 

@@ -2,7 +2,7 @@
 
 #include "contact/resolve_contact.h"
 #include "host/host_types.h"
-#include "host/ignores_velocity.h"
+#include "host/velocity_watchers.h"
 
 #include <vector>
 

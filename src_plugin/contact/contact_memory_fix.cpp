@@ -1,6 +1,6 @@
-#include "host/contact_memory_fix.h"
+#include "contact/contact_memory_fix.h"
 
-#include "host/require_grains.h"
+#include "host/grains_and_box.h"
 
 #include "memory.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "host/contact_observer.h"
+#include "host/find_fix.h"
+#include "host/host_types.h"
 
 #include "fix_contact_history.h"
 
@@ -21,5 +22,14 @@ inline void save_pair_history(LAMMPS_NS::LAMMPS* lmp)
   for (auto* history : fixes_that_are<LAMMPS_NS::FixContactHistory>(lmp))
     if (std::string(history->style) == "contacthistory") history->pre_exchange();
 }
+
+/// The host's `delete_atoms`, carried out by `host`. With `compress yes`, its default, it gives the
+/// grains that stay new numbers and leaves the old ones in what contacts remember, so that springs
+/// are lost or go to strangers: here the memory gets the new numbers too.
+void delete_grains(void (*host)(LAMMPS_NS::LAMMPS*, int, char**), LAMMPS_NS::LAMMPS* lmp, int narg,
+                   char** arg);
+
+/// Ends the run where contacts may remember something that `replicate` would give to strangers.
+void refuse_replicated_contacts(LAMMPS_NS::LAMMPS* lmp);
 
 }  // namespace encased_column

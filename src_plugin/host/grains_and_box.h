@@ -47,4 +47,41 @@ inline void require_open_box(LAMMPS_NS::LAMMPS* lmp, const std::string& style,
                        boundary_words(domain, directions) + "'");
 }
 
+/// Ends the run where the atoms of the deck have no radius and mass, which `fix` needs.
+inline void require_grains(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix& fix)
+{
+  if (lmp->atom->radius_flag && lmp->atom->rmass_flag) return;
+  lmp->error->fix_error(FLERR, &fix,
+                        ("'" + std::string(fix.style) +
+                         "' needs grains with a radius and a mass, found 'atom_style " +
+                         lmp->atom->atom_style + "', write 'atom_style granular'")
+                            .c_str());
+}
+
+/// The host's arrays of owned and ghost grains without its rows of pointers, which cost a loop
+/// over many grains a second wait for memory. Not for a rank that has no grain at all.
+struct GrainArrays {
+  explicit GrainArrays(LAMMPS_NS::Atom* a)
+      : x(a->x[0]),
+        v(a->v[0]),
+        omega(a->omega[0]),
+        radius(a->radius),
+        mass(a->rmass),
+        type(a->type),
+        force(a->f[0]),
+        moment(a->torque[0]),
+        owned(a->nlocal)
+  {
+  }
+  const double* __restrict x;      ///< [m]
+  const double* __restrict v;      ///< [m/s]
+  const double* __restrict omega;  ///< [rad/s]
+  const double* __restrict radius;
+  const double* __restrict mass;
+  const int* __restrict type;
+  double* __restrict force;   ///< [N]
+  double* __restrict moment;  ///< [N m]
+  int owned;
+};
+
 }  // namespace encased_column
