@@ -143,7 +143,7 @@ TEST_F(Stop, KilledItselfLeavesNoCaseRunning)
 {
   {
     RunningCommand command(folder_->path(), "killed", options("plain", 1));
-    ASSERT_TRUE(command.wait_until([&] { return has("killed", "plain", "restart_3"); }));
+    ASSERT_TRUE(command.wait_until([&] { return has("killed", "plain", "restart_4"); }));
     command.send(SIGKILL);
     EXPECT_EQ(command.end().exit_code, 137);
   }
@@ -173,11 +173,11 @@ TEST_F(Stop, GoesOnFromAnOlderStageWhereARestartFileIsCutOff)
   fs::create_directories(to.parent_path());
   fs::copy(from, to, fs::copy_options::recursive);
   fs::remove(to / "finished");
-  fs::resize_file(to / "restart_4", fs::file_size(to / "restart_4") / 2);
+  fs::resize_file(to / "restart_5", fs::file_size(to / "restart_5") / 2);
   const Outcome outcome =
       RunningCommand(folder_->path(), "torn", and_resume(options("plain", 1))).end();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_TRUE(outcome.says("Case plain goes on in stage 3, restart_4 is cut off"))
+  EXPECT_TRUE(outcome.says("Case plain goes on in stage 4, restart_5 is cut off"))
       << outcome.output;
   expect_the_same_results("torn", "plain");
 }
