@@ -1,10 +1,10 @@
 #include "runner/run_command.h"
 
 #include "core/input_error.h"
-#include "runner/announce.h"
 #include "runner/case_list.h"
 #include "runner/case_variables.h"
-#include "runner/child_process.h"
+#include "runner/processes.h"
+#include "runner/progress.h"
 #include "runner/run_cases.h"
 #include "runner/text_file.h"
 

@@ -2,7 +2,7 @@
 
 #include "analysis/run_checks.h"
 #include "reading/case_run.h"
-#include "reading/grain_file.h"
+#include "reading/frame_files.h"
 
 #include <optional>
 
