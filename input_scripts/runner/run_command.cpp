@@ -36,7 +36,7 @@ void make_folder(const fs::path& folder)
                      "', free it or choose another --name or --out");
 }
 
-/// The lock of the case's folder, which nobody else may run in.
+/// The lock of the case's folder, in which nothing else may run.
 FolderLock lock_of(const CaseFolder& folder, const Places& places)
 {
   FolderLock lock;
