@@ -98,8 +98,8 @@ void check_places(LAMMPS_NS::LAMMPS* lmp)
                       .c_str());
 }
 
-/// Ends the run where a fix of ours would take another contact law for its own, or grains that have
-/// no contact for touching.
+/// Ends the run where a fix of ours would read contacts of another law than the linear one, or
+/// where two grains stand at one place.
 void check_contacts(LAMMPS_NS::LAMMPS* lmp)
 {
   bool are_read = false;
@@ -146,7 +146,7 @@ bool is_one_of(const std::string& word, std::initializer_list<const char*> words
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Stands for every command: sees to what must hold before it, then lets it run.
+/// Runs in place of every command: checks what must hold before it, then runs it.
 void run_command(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 {
   const std::string word = lmp->input->*reveal(CommandWord());
@@ -190,7 +190,7 @@ void register_styles(LAMMPS_NS::LAMMPS* lmp)
 }  // namespace encased_column
 
 // No map holds the styles of dumps. The host calls this function by its exported name, and the one
-// of the library that is linked first is called: ours looks at the words and hands on.
+// of the library that is linked first is called: ours checks the words and calls the host's.
 void LAMMPS_NS::Output::add_dump(int narg, char** arg)
 {
   using AddDump = void (*)(Output*, int, char**);

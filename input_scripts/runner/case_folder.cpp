@@ -4,7 +4,6 @@
 #include "files/restart_file.h"
 #include "runner/case_variables.h"
 #include "runner/text_file.h"
-#include "runner/used_variables.h"
 
 #include <algorithm>
 #include <ctime>

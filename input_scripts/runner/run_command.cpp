@@ -1,10 +1,10 @@
 #include "runner/run_command.h"
 
 #include "core/input_error.h"
-#include "runner/announce.h"
 #include "runner/case_list.h"
 #include "runner/case_variables.h"
-#include "runner/child_process.h"
+#include "runner/processes.h"
+#include "runner/progress.h"
 #include "runner/run_cases.h"
 #include "runner/text_file.h"
 
@@ -36,7 +36,7 @@ void make_folder(const fs::path& folder)
                      "', free it or choose another --name or --out");
 }
 
-/// The lock of the case's folder, which nobody else may run in.
+/// The lock of the case's folder, in which nothing else may run.
 FolderLock lock_of(const CaseFolder& folder, const Places& places)
 {
   FolderLock lock;

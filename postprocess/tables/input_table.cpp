@@ -1,4 +1,4 @@
-#include "tables/input_table.h"
+#include "tables/page_tables.h"
 
 #include "core/input_error.h"
 #include "reading/deck_inputs.h"

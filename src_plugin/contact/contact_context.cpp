@@ -42,7 +42,7 @@ void ContactContext::open(bool rolling)
   asked_step_ = -1;
 }
 
-void ContactContext::ask_probes_anew()
+void ContactContext::ask_all_observers()
 {
   asked_step_ = lmp_->update->ntimestep;
   active_.clear();

@@ -66,7 +66,7 @@ class PairLinear
     pairs_are_old_ = false;
     pair->evflag = pair->vflag_fdotr = 0;
     if (lmp_->atom->nlocal == 0) return;
-    context_.ask_probes();
+    context_.ask_observers();
     const GrainArrays grains(lmp_->atom);
     const bool advance = pair->computeflag() && pair->shearupdate();
     if (loop_ == PairLoop::batches)

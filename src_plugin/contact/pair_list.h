@@ -52,7 +52,7 @@ class PairList {
 };
 
 /// The pairs of the host's list, one after the other: the list itself is a row a grain, most of
-/// them so short that a loop's end comes as a surprise each time.
+/// them so short that the processor mispredicts the end of each loop.
 class ListedPairs {
  public:
   /// Pairs whose flags and memories lie one after the other in the host.

@@ -107,7 +107,7 @@ void FixMotion::find_all_in_set_up()
   set_step();
 }
 
-/// Outside a step, before whose first kick no way was gone.
+/// Outside a step, when no grain has moved yet since its last kick.
 void FixMotion::admit_new_grains()
 {
   mass_scaling.begin_step(grains(), false);

@@ -90,7 +90,7 @@ void SolveCommand::command(int narg, char** arg)
   double ratio = 1.0;
   bool is_reached = false;
   while (done < max && !is_stopped() && !is_reached) {
-    // Pieces end where the motion has just weighed the grains.
+    // Pieces end where the motion has just updated masses and ratios.
     const long piece = std::min(every - static_cast<long>(update->ntimestep % every), max - done);
     run_piece(piece);
     done += piece;
@@ -116,7 +116,7 @@ void SolveCommand::command(int narg, char** arg)
 }
 
 // Whether a step was the last is known only after it: the one at the end of a piece counts as the
-// last while it is made, so that those who write or measure at the end of a run are ready.
+// last while it is made, so that fixes that write or measure at the end of a run act.
 void SolveCommand::run_piece(long steps)
 {
   if (steps > 1) update->integrate->run(static_cast<int>(steps - 1));

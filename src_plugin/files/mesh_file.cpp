@@ -25,8 +25,8 @@ namespace encased_column {
 
 namespace {
 
-/// Takes what VTK's readers complain of in place of the screen: a file they take a part of is
-/// refused.
+/// Catches the messages of VTK's readers, which would go to the screen: a file they take a part of
+/// is refused.
 class Complaints : public vtkOutputWindow {
  public:
   static Complaints* New();

@@ -74,7 +74,7 @@ class Bytes {
     return numbers;
   }
 
-  /// What is left may be the seal of the bytes before it (files/restart_seal.h), and nothing else.
+  /// What is left may be the seal of the bytes before it (RestartSeal), and nothing else.
   void take_end() const
   {
     if (left_ > 0 && !is_sealed(file_)) refuse(file_, "which is cut off or damaged");

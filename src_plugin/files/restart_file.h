@@ -15,12 +15,12 @@ namespace encased_column {
 std::string restart_file_of(const std::string& pattern);
 
 /// Walks through a restart file from its first byte to its last grain, as the host's `read_restart`
-/// will, which takes whatever it finds for sizes of memory and loops. With a `%` in its name the
+/// will, which takes any number it finds as a size of memory or a count. With a `%` in its name the
 /// file is one of several. Throws InputError for a file that is cut off or is no restart file.
 void check_restart_file(const std::string& file);
 
-/// A seal at the end of a restart file: who finds it there, and right, knows that no byte before it
-/// is missing or another. The host reads what it wrote and never comes to it.
+/// A seal at the end of a restart file: where it is there, and right, no byte before it is missing
+/// or changed. The host reads what it wrote and never comes to it.
 struct RestartSeal {
   char mark[8] = {'E', 'N', 'C', 'S', 'E', 'A', 'L', '1'};
   std::uint64_t size = 0;  ///< bytes before the seal

@@ -13,7 +13,8 @@ namespace encased_column {
 
 namespace {
 
-/// The numbers of the grains a grain touched are the host's own: it lets only its kind write them.
+/// The numbers of the grains a grain touched are protected in the host: only a derived class may
+/// write them.
 struct Partners : LAMMPS_NS::FixContactHistory {
   static int* of(LAMMPS_NS::FixContactHistory& history, int i)
   {
@@ -49,14 +50,14 @@ void renumber(LAMMPS_NS::LAMMPS* lmp)
 
   std::unordered_map<int, int> new_number;
   for (std::size_t n = 0; n < before.size(); ++n) new_number[before[n]] = after[n];
-  constexpr int nobody = 0;
+  constexpr int no_grain = 0;
   for (auto* history : fixes_that_are<LAMMPS_NS::FixContactHistory>(lmp)) {
     if (std::strcmp(history->style, "contacthistory") != 0) continue;  // those of meshes
     for (int i = 0; i < owned; ++i) {
       int* const partners = Partners::of(*history, i);
       for (int m = 0; m < history->n_partner(i); ++m) {
         const auto found = new_number.find(partners[m]);
-        partners[m] = found == new_number.end() ? nobody : found->second;
+        partners[m] = found == new_number.end() ? no_grain : found->second;
       }
     }
   }
@@ -87,7 +88,7 @@ void refuse_replicated_contacts(LAMMPS_NS::LAMMPS* lmp)
   lmp->error->all(
       FLERR,
       "'replicate' must stand before the first run, found one behind a run or a restart "
-      "file, whose contacts it would give to strangers, write it before 'run' or "
+      "file, whose contacts it would give to other grains, write it before 'run' or "
       "'solve'");
 }
 

@@ -53,7 +53,7 @@ void require_linear_law(LAMMPS_NS::LAMMPS* lmp, const std::string& needs_it)
   const bool rolling = resists_rolling(*pair);
   for (auto* wall : fixes_that_are<LAMMPS_NS::FixWallGran>(lmp)) {
     const std::string model = normal_model(*wall);
-    // The masses of grains bear walls that resist rolling where the pairs do.
+    // The stable step allows for walls that resist rolling only where the pairs do too.
     if (model == "linear" && (rolling || !resists_rolling(*wall))) continue;
     throw InputError(rule + "'model " + (model == "linear" ? linear_law(!rolling) : model) +
                      "' in fix " + wall->id + " of style wall/gran, write 'model " +

@@ -27,8 +27,8 @@ PairProperty read_pair_property(LAMMPS_NS::LAMMPS* lmp, const std::string& name,
                                 bool above, std::optional<double> otherwise = {});
 
 /// Throws InputError where contacts would not follow the linear law: `needs_it` in the deck, such
-/// as "fix move of style motion", reads its stiffness and its springs, and takes what another law
-/// makes of a contact for nothing. Walls of the host are looked at too.
+/// as "fix move of style motion", reads its stiffness and its springs, which another law keeps
+/// otherwise or not at all. Walls of the host are checked too.
 void require_linear_law(LAMMPS_NS::LAMMPS* lmp, const std::string& needs_it);
 
 }  // namespace encased_column

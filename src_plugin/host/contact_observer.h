@@ -26,8 +26,8 @@ struct Contact {
   ContactKind kind;  ///< of what stands where j is
 };
 
-/// A fix that looks at every contact of chosen steps. Whoever computes contacts asks each observer
-/// once a step and calls those that want it; other steps cost nothing.
+/// A fix that looks at every contact of chosen steps. The contact loops ask each observer once a
+/// step and call those that want it; other steps cost nothing.
 class ContactObserver {
  public:
   virtual ~ContactObserver() = default;

@@ -70,8 +70,8 @@ namespace {
 
 const char* const name = "stop_request";
 
-/// Several ranks speak with one another every so many steps only: that takes longer than a step of
-/// few grains.
+/// Several ranks exchange requests only every so many steps: an exchange takes longer than a step
+/// of few grains.
 constexpr int between_talks = 10;
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace encased_column {
 
 /// What a signal asks of a run. The host's own handlers change flags that it reads at any moment,
-/// on each rank by itself: ranks that hear of a signal in different steps would leave the run in
+/// on each rank by itself: ranks that got a signal in different steps would leave the run in
 /// different steps, and wait for one another for ever. Here a request is kept until all ranks are
 /// at the same place of a step, and becomes the host's then (FixStopRequest).
 struct StopRequest {

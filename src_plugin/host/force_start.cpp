@@ -12,8 +12,8 @@ namespace encased_column {
 
 namespace {
 
-/// Tells the host's integrator whether another clears the sums of forces: it is made for that, but
-/// lets only its own kind say so.
+/// Tells the host's integrator whether another clears the sums of forces: it has a switch for that,
+/// which only a derived class may set.
 struct ForceClearing : LAMMPS_NS::Integrate {
   static void leave_to_us(LAMMPS_NS::Integrate* integrator, bool left)
   {
@@ -38,8 +38,8 @@ bool others_act(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, int stages
 }  // namespace
 
 // Grains outside the group are the host's, and what else its integrator clears. Others may add
-// forces before the pairs', or want those before the weight. What a `fix gravity` behind the motion
-// is like it knows only after its init().
+// forces before the pairs', or want those before the weight. A `fix gravity` that stands behind the
+// motion is known only after its init().
 void ForceStart::take_over(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, bool watched)
 {
   using namespace LAMMPS_NS::FixConst;

@@ -103,8 +103,8 @@ struct Sentence {
 
 constexpr const char* no_other_step =
     "'reset_timestep' must not be used where contacts remember the step, in which a restart file "
-    "was "
-    "read or fixes are defined, write no 'reset_timestep' and count the steps from where they are";
+    "was read or fixes are defined, write no 'reset_timestep' and count the steps from where they "
+    "are";
 
 const Sentence sentences[] = {
     {"In case of restart, command 'reset_timestep' must come immediately before 'run'",
@@ -115,8 +115,7 @@ const Sentence sentences[] = {
      "'create_atoms' before it"},
     {"Cannot read_restart after simulation box is defined",
      "'read_restart' makes the box itself, found one before it, write it in place of 'create_box' "
-     "or "
-     "behind 'clear'"},
+     "or behind 'clear'"},
     {"Run command before simulation box is defined",
      "'run' needs a box with grains, found no box yet, write 'create_box' or 'read_restart' before "
      "it"},

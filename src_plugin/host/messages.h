@@ -35,9 +35,9 @@ inline void say_understood(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix& fix,
                options.understood().c_str());
 }
 
-/// Makes the screen and the log of `lmp` safe against an end without warning: every line is written
-/// at once, and every rank knows where the log is, so that an error which one rank alone finds
-/// reaches both. All ranks call it, again whenever the deck may have changed its log.
+/// Makes the screen and the log of `lmp` safe against an abrupt end: every line is written at once,
+/// and every rank knows where the log is, so that an error which one rank alone finds reaches both.
+/// All ranks call it, again whenever the deck may have changed its log.
 void secure_output(LAMMPS_NS::LAMMPS* lmp);
 
 }  // namespace encased_column

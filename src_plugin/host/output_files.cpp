@@ -28,7 +28,7 @@ std::set<std::string>& commands_that_wrote()
   return names;
 }
 
-/// The host keeps the name of a dump's file to its own kind.
+/// The name of a dump's file is protected in the host.
 struct DumpFile : LAMMPS_NS::Dump {
   static std::string of(const LAMMPS_NS::Dump* dump) { return dump->*(&DumpFile::filename); }
 };
@@ -70,7 +70,7 @@ std::string OutputFiles::claim(const std::string& keyword, const std::string& fi
   const std::string owner =
       of_first_rank(lmp_, lmp_->comm->me == 0 ? paths().claim(path, owner_, of_command_) : "");
   if (!owner.empty())
-    throw InputError("'" + keyword + "' must be a file that nobody else writes, found '" + file +
+    throw InputError("'" + keyword + "' must be a file that nothing else writes, found '" + file +
                      "', which " + owner + " writes, give " + owner_ + " another name");
   check_host(claimed_.back());
   return path;
@@ -112,7 +112,7 @@ void OutputFiles::check_host(const Claimed& claimed) const
   const std::string writer =
       of_first_rank(lmp_, lmp_->comm->me == 0 ? host_writer(claimed.path) : "");
   if (!writer.empty())
-    throw InputError("'" + claimed.keyword + "' must be a file that nobody else writes, found '" +
+    throw InputError("'" + claimed.keyword + "' must be a file that nothing else writes, found '" +
                      claimed.file + "', which " + writer + " writes, give " + owner_ +
                      " another name");
 }

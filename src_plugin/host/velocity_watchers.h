@@ -6,15 +6,15 @@
 
 namespace encased_column {
 
-/// A fix that acts while a step is made or at its end, but does not look at the velocities of the
+/// A fix that acts while a step is made or at its end, but does not read the velocities of the
 /// grains there: `fix motion` need not complete them for it.
 class IgnoresVelocity {
  protected:
   virtual ~IgnoresVelocity() = default;
 };
 
-/// Who looks at the velocities of grains, and when. A fix that is not an IgnoresVelocity may do so
-/// wherever it acts.
+/// Which fixes read the velocities of grains, and when. A fix that is not an IgnoresVelocity may do
+/// so wherever it acts.
 class VelocityWatchers {
  public:
   /// Before a run; `motion` is the fix that asks.

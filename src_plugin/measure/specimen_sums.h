@@ -63,7 +63,7 @@ struct SpecimenSample {
   double step;
   SpecimenMoment before, now;  ///< strains, works and losses count from the first
   SpecimenSums::Numbers sums;
-  double closing_speed;  ///< of the platens [m/s]
+  double strain_rate;  ///< axial [1/s]
   UnbalancedForceRatio unbalanced_ratio;
   double energy_error;  ///< [-]
 

@@ -17,7 +17,7 @@
 namespace encased_column {
 
 const KeywordTable FixOutputRestart::keywords{
-    {"every", 1, "steps", "the file is written anew every so many steps"},
+    {"every", 1, "steps", "the file is rewritten every so many steps"},
     {"file", 1, "-", "its name"},
 };
 

@@ -186,7 +186,7 @@ void CreatePackingCommand::print(const PackingSummary& summary) const
   }
 }
 
-// The bookkeeping after new atoms is that of the host's own create_atoms.
+// The bookkeeping after new atoms follows the host's own create_atoms.
 void CreatePackingCommand::create_atoms(const std::vector<Vec3>& centers,
                                         const std::vector<double>& radii, int type, double density)
 {

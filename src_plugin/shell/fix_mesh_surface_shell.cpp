@@ -112,8 +112,8 @@ void FixMeshSurfaceShell::initial_integrate(int)
 void FixMeshSurfaceShell::take_loads(bool at_set_up)
 {
   sleeve_->start_loads(step_now(), window(), at_set_up);
-  context_.ask_probes();
-  // Lists of pairs and of facets hold together: grains keep their numbers in between.
+  context_.ask_observers();
+  // Lists of pairs and of facets are made together: grains keep their numbers in between.
   if (neighbor->ago == 0 || sleeve_->needs_list())
     remember(sleeve_->list_grains(atom->nlocal ? atom->x[0] : nullptr, atom->radius, atom->nlocal,
                                   neighbor->skin));

@@ -11,7 +11,7 @@
 
 namespace encased_column {
 
-/// What an engineer reads off a sleeve; tension and stretch positive.
+/// What an engineer wants to know of a sleeve; tension and stretch positive.
 struct SleeveSummary {
   double area = 0.0;              ///< of the facets counted [m^2]
   double hoop_tension = 0.0;      ///< mean over the area [N/m]
@@ -55,9 +55,9 @@ inline std::string advice_for(long released, const std::string& otherwise)
          "pack them looser, write a larger 'thickness' or 'modulus' or longer facets";
 }
 
-/// What is wrong with one of facets [first, last), as a sentence; nothing when all is well.
-/// A facet is over-stretched when a principal strain exceeds `limit` [-], either way where the
-/// membrane bears compression.
+/// What is wrong with one of facets [first, last), as a sentence; empty when all are sound. A facet
+/// is over-stretched when a principal strain exceeds `limit` [-], either way where the membrane
+/// bears compression.
 inline std::optional<std::string> fault_of_facets(const ShellModel& model, int first, int last,
                                                   double limit, long released = -1)
 {

@@ -2,7 +2,6 @@
 // it: the file in which it says its variables, and the commands that its log has.
 #include "runner/case_record.h"
 #include "runner/case_variables.h"
-#include "runner/used_variables.h"
 #include "support/run_command.h"
 
 #include <gtest/gtest.h>

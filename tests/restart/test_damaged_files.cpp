@@ -1,5 +1,5 @@
 // A restart file that is cut off, or no restart file, is refused with a sentence; one that is whole
-// is read, whoever wrote it.
+// is read, whatever program wrote it.
 #include "files/restart_file.h"
 
 #include "core/input_error.h"

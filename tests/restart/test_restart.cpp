@@ -38,7 +38,7 @@ std::string rest(const std::string& file)
 }
 
 /// Stops a new specimen `steps` after `before` and goes on, in the same process and, with `again`
-/// given anew, in another one; both must leave the same grains.
+/// given again, in another one; both must leave the same grains.
 void expect_the_same_run(const fs::path& folder, const std::string& before, long steps,
                          const std::string& again)
 {
@@ -188,7 +188,7 @@ TEST(Restart, FromAFileWrittenDuringARunIsTheSameAsFromOneWrittenAfterIt)
   EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
 }
 
-// Inertia, stable step and equilibrium are found anew every 50 steps, and not where a run stops:
+// Inertia, stable step and equilibrium are found again every 50 steps, and not where a run stops:
 // the file of step 3937 goes on as the run that wrote it did.
 TEST(Restart, GoesOnAtAnyStepAsTheRunThatWroteTheFileWithoutAStop)
 {
@@ -209,7 +209,7 @@ TEST(Restart, GoesOnAtAnyStepAsTheRunThatWroteTheFileWithoutAStop)
   }
 }
 
-// The set-up of a run weighs all wall contacts against the inertia, a step only new ones: that must
+// The set-up of a run compares all wall contacts with the inertia, a step only new ones: that must
 // find nothing to raise, also where the wall is stiffer than the grains, whose sums per axis ask
 // less for an oblique contact than the contact itself does, and where radii have just grown.
 TEST(Restart, GoesOnAtAnyStepWhereTheWallIsStiff)

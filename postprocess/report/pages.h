@@ -16,4 +16,9 @@ std::string series_page(const std::vector<SetResult>& sets, const Targets& targe
                         const std::filesystem::path& folder,
                         const std::vector<std::string>& left_out);
 
+/// The whole story of one test as one HTML page that needs no other file. Takes the 3-D pictures
+/// from `pictures`. Needs a display.
+std::string case_page(const TestResult& test, const Targets& targets,
+                      const std::filesystem::path& pictures);
+
 }  // namespace encased_column

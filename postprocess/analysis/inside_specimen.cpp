@@ -1,4 +1,7 @@
-#include "analysis/measuring_spheres.h"
+#include "analysis/inside_specimen.h"
+
+#include "core/input_error.h"
+#include "files/column_names.h"
 
 #include <algorithm>
 #include <map>
@@ -44,6 +47,16 @@ double mean_of_spheres(const std::vector<SphereSeries>& spheres, std::size_t i,
 {
   const std::vector<double> values = along_column(spheres, i, quantity);
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::optional<double> level_of_share(const std::string& heading)
+{
+  const std::string &before = contact_column::share_above, &after = contact_column::level_end;
+  const std::size_t around = before.size() + after.size();
+  if (heading.size() <= around || heading.compare(0, before.size(), before) != 0 ||
+      heading.compare(heading.size() - after.size(), after.size(), after) != 0)
+    return std::nullopt;
+  return read_number(heading, heading.substr(before.size(), heading.size() - around));
 }
 
 }  // namespace encased_column

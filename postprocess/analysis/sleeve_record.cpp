@@ -1,5 +1,6 @@
-#include "analysis/sleeve_profile.h"
+#include "analysis/sleeve_record.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -32,6 +33,19 @@ std::vector<std::size_t> nearest_places(const std::vector<double>& strains,
     if (places.empty() || places.back() != best) places.push_back(best);
   }
   return places;
+}
+
+std::vector<Check> sleeve_checks(const SleeveRecord& record, const StripLimit& limit)
+{
+  const auto largest = [](const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+  };
+  return {
+      {"hoop tension of the sleeve, largest, within the strip test [kN/m]",
+       largest(record.hoop_tension_max) / 1e3, limit.tension / 1e3, false},
+      {"hoop strain of the sleeve, largest, within the strip test", largest(record.hoop_strain_max),
+       limit.strain, false},
+  };
 }
 
 }  // namespace encased_column
