@@ -11,7 +11,8 @@ struct StopRequest {
 };
 
 /// From now on Ctrl-C, SIGTERM, a closed terminal and SIGUSR2, which mpirun passes on, ask to stop
-/// at a step, with a restart file; SIGUSR1 asks for the file alone. A second signal to stop ends the program at once.
+/// at a step, with a restart file; SIGUSR1 asks for the file alone. A second signal to stop ends
+/// the program at once.
 void install_stop_handlers();
 
 /// What has been asked for since this rank's last call: a sum of the numbers above.
