@@ -17,7 +17,7 @@ constexpr double learning = 0.3, kept = 0.5;
 constexpr double borne = 0.9, run_over = 2.0, nothing = 1e-3;
 /// Unbalanced force ratio up to which friction may be lowered: a smaller one lets less of the
 /// stress be that of grains in motion, and takes longer.
-constexpr double calm = 0.1;
+constexpr double calm = 0.2;
 /// Without friction, `limits` presses with so many times the stress: grains slide into their places
 /// the sooner the harder they are pressed. What that shortens the specimen is taken back.
 constexpr double overpress = 10.0;

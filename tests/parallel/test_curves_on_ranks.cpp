@@ -42,7 +42,7 @@ Outcome grown_under_stress_on(int ranks)
       "label growing\nrun 1000 post no\nvariable growing equal f_grow[1]\n"
       "if \"${growing} > 0\" then \"jump SELF growing\"\n" +
       report);
-  deck.replace(deck.find("porosity 0.38"), 13, "porosity 0.46");
+  deck.replace(deck.find("porosity 0.38"), 13, "porosity 0.49");
   deck.replace(deck.find(growth), growth.size(),
                "fix grow all grow/radius from 0.5 stages 50 relax 50 stress 5e3 platens top bottom "
                "side side\n");
