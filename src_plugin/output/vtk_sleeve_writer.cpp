@@ -9,6 +9,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace encased_column {
@@ -64,6 +65,14 @@ void add_facet_fields(vtkPolyData* data, const ShellModel& model)
   add("axial_moment [N m/m]", &FacetState::moment, 1);
   add_array<1>(to, "energy [J]", facets,
                [&](int f) { return state[f].membrane_energy + state[f].bending_energy; });
+  add_array<1>(to, "plastic_hoop_strain [-]", facets,
+               [&](int f) { return model.memory(f).plastic_strain[0]; });
+  add_array<1>(to, "plastic_axial_strain [-]", facets,
+               [&](int f) { return model.memory(f).plastic_strain[1]; });
+  add_array<1>(to, "damage [-]", facets, [&](int f) {
+    const FacetMemory memory = model.memory(f);
+    return std::max(memory.damage[0], memory.damage[1]);
+  });
 }
 
 }  // namespace

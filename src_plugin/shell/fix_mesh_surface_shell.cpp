@@ -42,7 +42,7 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
   style = std::strcpy(new char[sizeof("sleeve")], "sleeve");
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 15;
+  size_vector = 18;
   global_freq = 1;
   extvector = 0;
 }
@@ -175,6 +175,7 @@ void FixMeshSurfaceShell::final_integrate()
   if (!sleeve_->is_time_to_check(step)) return;
   if (const auto fault = sleeve_->fault(step))
     stop_from_one_rank(lmp, "at step " + std::to_string(step) + " " + *fault);
+  share_memory();
   for (const std::string& sentence :
        sleeve_->warnings(window(), id, {platens_.id(true), platens_.id(false)}, step))
     if (comm->me == 0) error->warning(FLERR, sentence.c_str());
@@ -211,15 +212,23 @@ double FixMeshSurfaceShell::compute_vector(int n)
       return damping_loss();
     case 13:
       return sleeve_->mass_factor();
-    default:
+    case 14:
       return static_cast<double>(sleeve_->ramp_left(update->ntimestep));
+    case 15:
+      return summary().plastic_hoop_strain_max;
+    case 16:
+      return summary().damage_max;
+    default:
+      return yielding_loss();
   }
 }
 
 void FixMeshSurfaceShell::write_restart(FILE* file)
 {
   const double pressure_work = sum_over_ranks(sleeve_->pressure_work(), world);
-  if (comm->me == 0) write_block(file, sleeve_->state(pressure_work));
+  const double dissipated = yielding_loss();
+  share_memory();
+  if (comm->me == 0) write_block(file, sleeve_->state(pressure_work, dissipated));
 }
 
 // The sleeve goes on as it was, but for what the fix line says.
