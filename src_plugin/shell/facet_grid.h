@@ -26,7 +26,5 @@ class FacetGrid {
   double largest_radius_ = 0.0;  ///< of the facets' bounding spheres [m]
   CellGrid<int> grid_;
 };
-std::vector<int> begin_{0, 0}, sorted_, cell_;
-};
 
 }  // namespace encased_column
