@@ -25,14 +25,15 @@ namespace {
 {
   if (start.own_session) {
     setsid();
-    // Whatever ends us, SIGKILL too, the case does not go on unseen.
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    // Whatever ends us, SIGKILL too, the case does not go on unseen. mpirun passes this signal on
+    // to the ranks and ends with them; after SIGTERM it would stay for the seconds it leaves them.
+    prctl(PR_SET_PDEATHSIG, SIGUSR2);
     if (getppid() != parent) _exit(126);
   }
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD, SIGUSR2}) {
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
     sigaction(signal, &usual, nullptr);

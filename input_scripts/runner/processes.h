@@ -14,7 +14,7 @@ struct Start {
   std::filesystem::path folder;  ///< it runs in; empty: here
   std::filesystem::path screen;  ///< file its words are added to; empty: our own screen
   bool own_session =
-      false;           ///< Ctrl-C of the terminal does not reach it; it takes SIGTERM if we go
+      false;           ///< Ctrl-C of the terminal does not reach it; it takes SIGUSR2 if we go
   int kept_file = -1;  ///< a descriptor it inherits, besides its screen
 };
 

@@ -3,6 +3,7 @@
 #include "contact/rolling_batch.h"
 #include "dynamics/mass_scaling.h"
 #include "host/contact_observer.h"
+#include "host/friction_factor.h"
 
 #include <type_traits>
 #include <vector>
@@ -22,7 +23,8 @@ class ContactContext {
   {
   }
 
-  /// At the start of a run: reads materials, finds observers and the account. Throws InputError.
+  /// At the start of a run: reads materials, finds observers and the account, and what lowers the
+  /// friction. Throws InputError.
   void open(bool rolling);
 
   /// At the start of a force computation (cheap when asked again in the same step).
@@ -74,6 +76,7 @@ class ContactContext {
  private:
   ContactKind kind_of(int j) const { return j < 0 ? walls_ : ContactKind::grain; }
   void ask_all_observers();
+  void lower_friction();
   void tell_observers(int i, int j, double share, const Touch& touch, const ContactAction& action);
   template <typename Batch>
   void tell_observers(const Batch& batch);
@@ -83,6 +86,9 @@ class ContactContext {
   int stride_ = 0;
   bool has_dashpots_ = false;
   std::vector<ContactMaterial> materials_;
+  std::vector<double> friction_of_deck_;  ///< of the materials [-]
+  std::vector<FrictionFactorOwner*> friction_factors_;
+  double friction_factor_ = 1.0;  ///< that the materials have
   MassScaling* mass_scaling_ = nullptr;
   std::vector<ContactObserver*> observers_, active_;
   ContactLosses no_account_;

@@ -40,6 +40,7 @@ inline constexpr ColumnName loss_damping{"loss_damping", "J"};
 inline constexpr ColumnName energy_error{"energy_error", "-"};
 inline constexpr ColumnName core_axial_stress{"core_axial_stress", "Pa"};
 inline constexpr ColumnName core_radial_stress{"core_radial_stress", "Pa"};
+inline constexpr ColumnName loss_yielding{"loss_yielding", "J"};
 }  // namespace history_column
 
 /// Of `fix measure/sphere`.
@@ -114,6 +115,9 @@ inline constexpr ColumnName axial_force_bottom_end{"axial_force_bottom_end", "N"
 inline constexpr ColumnName friction_force{"friction_force", "N"};
 inline constexpr ColumnName enclosed_volume{"enclosed_volume", "m^3"};
 inline constexpr ColumnName energy{"energy", "J"};
+inline constexpr ColumnName plastic_hoop_strain_max{"plastic_hoop_strain_max", "-"};
+inline constexpr ColumnName damage_max{"damage_max", "-"};
+inline constexpr ColumnName dissipated{"dissipated", "J"};
 }  // namespace sleeve_column
 
 }  // namespace encased_column

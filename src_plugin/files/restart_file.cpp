@@ -256,6 +256,8 @@ void check_restart_file(const std::string& file)
 {
   const bool is_split = file.find('%') != std::string::npos;
   Bytes bytes(with(file, '%', "base"));
+  // The walk below does not come to the end where a style of another library has written.
+  if (seal_found(file) == SealFound::of_other_bytes) bytes.strange();
   const Head head = take_head(bytes);
   skip_groups(bytes);
   skip_masses(bytes, head);

@@ -69,19 +69,29 @@ inline bool seal_file(const std::string& path)
          std::fwrite(&seal, sizeof seal, 1, file.get()) == 1 && std::fflush(file.get()) == 0;
 }
 
-/// True for a file that ends with its seal.
-inline bool is_sealed(const std::string& path)
+/// What a file ends with.
+enum class SealFound { none, of_other_bytes, right };
+
+inline SealFound seal_found(const std::string& path)
 {
   const auto file = seal_details::open(path, "rb");
   RestartSeal there;
   if (!file || std::fseek(file.get(), -static_cast<long>(sizeof there), SEEK_END) != 0)
-    return false;
+    return SealFound::none;
   const long size = std::ftell(file.get());
-  if (std::fread(&there, sizeof there, 1, file.get()) != 1) return false;
+  if (std::fread(&there, sizeof there, 1, file.get()) != 1 ||
+      std::memcmp(there.mark, RestartSeal().mark, sizeof there.mark) != 0)
+    return SealFound::none;
   std::rewind(file.get());
   const RestartSeal right = seal_details::seal_of(file.get(), static_cast<std::uint64_t>(size));
-  return std::memcmp(there.mark, right.mark, sizeof right.mark) == 0 && there.size == right.size &&
-         there.sum == right.sum;
+  return there.size == right.size && there.sum == right.sum ? SealFound::right
+                                                            : SealFound::of_other_bytes;
+}
+
+/// True for a file that ends with its seal.
+inline bool is_sealed(const std::string& path)
+{
+  return seal_found(path) == SealFound::right;
 }
 
 }  // namespace encased_column

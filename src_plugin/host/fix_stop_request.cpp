@@ -53,6 +53,7 @@ void install_stop_handlers()
   handle(SIGINT, ask_to_stop);
   handle(SIGTERM, ask_to_stop);
   handle(SIGHUP, ask_to_stop);
+  handle(SIGUSR2, ask_to_stop);
   handle(SIGUSR1, ask_to_save);
 }
 

@@ -13,8 +13,9 @@ struct StopRequest {
   static constexpr int stop = 1, save = 2;
 };
 
-/// From now on Ctrl-C, SIGTERM and a closed terminal ask to stop at a step, with a restart file;
-/// the user signal asks for the file alone. A second signal to stop ends the program at once.
+/// From now on Ctrl-C, SIGTERM, a closed terminal and SIGUSR2, which mpirun passes on, ask to stop
+/// at a step, with a restart file; SIGUSR1 asks for the file alone. A second signal to stop ends
+/// the program at once.
 void install_stop_handlers();
 
 /// What has been asked for since this rank's last call: a sum of the numbers above.

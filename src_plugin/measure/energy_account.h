@@ -16,6 +16,7 @@ struct EnergyAccount {
   double rolling = 0.0;
   double dashpots = 0.0;
   double damping = 0.0;
+  double yielding = 0.0;
 };
 
 /// Energy [J] between two states, both sides of the account, neither below zero.
@@ -32,8 +33,9 @@ inline EnergyFlow energy_flow(const EnergyAccount& start, const EnergyAccount& n
     const double done = now.*work - start.*work;
     (done > 0.0 ? flow.in : flow.out) += std::abs(done);
   }
-  for (const auto loss : {&EnergyAccount::friction, &EnergyAccount::rolling,
-                          &EnergyAccount::dashpots, &EnergyAccount::damping}) {
+  for (const auto loss :
+       {&EnergyAccount::friction, &EnergyAccount::rolling, &EnergyAccount::dashpots,
+        &EnergyAccount::damping, &EnergyAccount::yielding}) {
     const double lost = now.*loss - start.*loss;
     (lost > 0.0 ? flow.out : flow.in) += std::abs(lost);
   }

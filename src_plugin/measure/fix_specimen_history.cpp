@@ -127,11 +127,11 @@ void FixSpecimenHistory::end_of_step()
 SpecimenMoment FixSpecimenHistory::now()
 {
   const SpecimenSums::Numbers& sums = sums_.numbers();
-  return {
-      specimen().state(),
-      {specimen().platens().work(), side_->work(), sums.weight_height,
-       sums.elastic + side_->stored_energy(), sums.kinetic + side_->kinetic_energy(), sums.friction,
-       sums.rolling, sums.dashpots, motion_->damping_loss() + side_->damping_loss()}};
+  return {specimen().state(),
+          {specimen().platens().work(), side_->work(), sums.weight_height,
+           sums.elastic + side_->stored_energy(), sums.kinetic + side_->kinetic_energy(),
+           sums.friction, sums.rolling, sums.dashpots,
+           motion_->damping_loss() + side_->damping_loss(), side_->yielding_loss()}};
 }
 
 void FixSpecimenHistory::add_grains()

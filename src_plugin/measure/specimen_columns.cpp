@@ -106,6 +106,8 @@ const std::vector<Column<SpecimenSample>>& specimen_columns()
        [](const SpecimenSample& s) { return s.core_stress(s.sums.core_axial); }},
       {of::core_radial_stress, "of the same, away from the axis",
        [](const SpecimenSample& s) { return s.core_stress(s.sums.core_radial); }},
+      {of::loss_yielding, "by yielding and tearing of the sleeve",
+       since_reference<&Energy::yielding>},
   };
   return columns;
 }

@@ -97,7 +97,8 @@ void FixOutputSleeve::write_curves()
                          sleeve_->axial_force(false),
                          sleeve_->friction_force(),
                          sleeve_->enclosed_volume(window.low, window.high),
-                         sleeve_->stored_energy()};
+                         sleeve_->stored_energy(),
+                         sleeve_->yielding_loss()};
   std::vector<double> row;
   add_numbers(sleeve_columns(), now, row);
   if (comm->me == 0 && !curves_.append(row)) files_.stop(curves_.path());
@@ -105,6 +106,7 @@ void FixOutputSleeve::write_curves()
 
 void FixOutputSleeve::write_frame()
 {
+  sleeve_->share_memory();
   if (comm->me != 0) return;
   std::vector<double> rows;
   for (const ProfilePoint& point : rings_->profile(sleeve_->model(), before_, sleeve_->axis()))

@@ -47,6 +47,11 @@ const std::vector<Column<SleeveCurves>>& sleeve_columns()
        [](const Row& r) { return r.friction_force; }},
       {of::enclosed_volume, "between the platens", [](const Row& r) { return r.enclosed_volume; }},
       {of::energy, "stored in the sleeve", [](const Row& r) { return r.energy; }},
+      {of::plastic_hoop_strain_max, "of the facet that yielded most",
+       [](const Row& r) { return r.summary.plastic_hoop_strain_max; }},
+      {of::damage_max, "of the facet that is torn most, 1: through",
+       [](const Row& r) { return r.summary.damage_max; }},
+      {of::dissipated, "that yielding and tearing took", [](const Row& r) { return r.dissipated; }},
   };
   return columns;
 }

@@ -17,6 +17,7 @@ struct SleeveCurves {
   double friction_force;                       ///< [N]
   double enclosed_volume;                      ///< [m^3]
   double energy;                               ///< [J]
+  double dissipated;                           ///< [J]
 };
 
 /// One row of its profile over the height.

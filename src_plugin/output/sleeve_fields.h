@@ -14,7 +14,8 @@ std::vector<SurfaceField> sleeve_node_fields(const ShellModel& model,
                                              const std::vector<Vec3>& before, const Vec3& axis);
 
 /// What it holds in each facet: hoop and axial strain [-], hoop_tension, axial_force, shear_force
-/// [N/m], hoop_moment, axial_moment [N m/m], energy [J]. Tension and stretch are positive.
+/// [N/m], hoop_moment, axial_moment [N m/m], energy [J], plastic_hoop_strain, plastic_axial_strain,
+/// damage (of the worse direction) [-]. Tension and stretch are positive.
 std::vector<SurfaceField> sleeve_facet_fields(const ShellModel& model);
 
 }  // namespace encased_column

@@ -9,8 +9,12 @@ namespace encased_column {
 FacetBatches::FacetBatches(const std::vector<Facet>& facet,
                            const std::vector<ShellElement>& element, const ShellMaterial& material)
     : batches_((facet.size() + size - 1) / size),
-      membrane_(material.membrane())
+      membrane_(material.membrane()),
+      is_cloth_(material.is_cloth()),
+      bends_(material.bends()),
+      wrinkles_(material.constants().tension_only)
 {
+  if (is_cloth_) cloth_ = ClothFacets(element, material.cloth());
   for (std::size_t f = 0; f < facet.size(); ++f) {
     Batch& batch = batches_[f / size];
     const std::size_t n = f % size;
@@ -24,9 +28,10 @@ FacetBatches::FacetBatches(const std::vector<Facet>& facet,
   }
 }
 
-double FacetBatches::add_loads(int first, int last, const Vec3* position, const Mat3* rotation,
-                               Vec3* force, Vec3* moment)
+double FacetBatches::add_loads(int first, int last, bool at_set_up, const Vec3* position,
+                               const Mat3* rotation, Vec3* force, Vec3* moment)
 {
+  cloth_.advance(first, last, at_set_up);
   double energy = 0.0;
   for (int f = first; f < last;) {
     const Batch& batch = batches_[f / size];
@@ -37,7 +42,7 @@ double FacetBatches::add_loads(int first, int last, const Vec3* position, const 
         position_[i].set(n, position[node]);
         director_[i].set(n, rotation[node] * batch.normal[n]);
       }
-    energy += resolve(batch, begin, end);
+    energy += is_cloth_ ? resolve_cloth(batch, f / size, begin, end) : resolve(batch, begin, end);
     for (int n = begin; n < end; ++n)
       for (int i = 0; i < 3; ++i) {
         const int node = batch.node[n][i];

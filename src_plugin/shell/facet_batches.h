@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/vector_units.h"
+#include "shell/cloth_facets.h"
 #include "shell/surface_mesh.h"
 
 #include <vector>
@@ -11,19 +12,23 @@ class ShellElement;
 class ShellMaterial;
 
 /// The facets of a sleeve side by side, so that the vector units of the machine see to several at
-/// once: facet_loads() of each, for a membrane that does not wrinkle and bends.
+/// once: facet_loads() of each, for a membrane that bends and for any cloth.
 class FacetBatches {
  public:
-  static constexpr int size = 32;  ///< of a batch
+  static constexpr int size = facets_in_batch;
 
   FacetBatches() = default;
   FacetBatches(const std::vector<Facet>& facet, const std::vector<ShellElement>& element,
                const ShellMaterial& material);
 
   /// Adds the loads of facets [first, last) to the forces [N] and moments [N m] of the nodes, in
-  /// the order of the facets; returns their energy [J].
-  double add_loads(int first, int last, const Vec3* position, const Mat3* rotation, Vec3* force,
-                   Vec3* moment);
+  /// the order of the facets; returns their energy [J]. Of a cloth see ClothFacets for what is
+  /// advanced before, unless `at_set_up`.
+  double add_loads(int first, int last, bool at_set_up, const Vec3* position, const Mat3* rotation,
+                   Vec3* force, Vec3* moment);
+
+  ClothFacets& cloth() { return cloth_; }
+  const ClothFacets& cloth() const { return cloth_; }
 
  private:
   // One of the files behind this one keeps Eigen from aligning matrices: these have nothing to
@@ -46,11 +51,22 @@ class FacetBatches {
 
   double resolve(const Batch& batch, int first, int last);
   double resolve_one(const Batch& batch, int n);
+  double resolve_cloth(const Batch& batch, int number, int first, int last);
+  template <bool bends, bool wrinkles, bool softens>
+  double resolve_cloth_kind(const Batch& batch, const ClothRows& rows, int first, int last);
+  template <bool bends, bool wrinkles, bool softens, bool remembers, bool torn>
+  double resolve_cloth_as(const Batch& batch, const ClothRows& rows, int first, int last);
+  template <bool bends, bool wrinkles, bool softens, bool remembers, bool torn>
+  double resolve_one_cloth(const Batch& batch, const ClothRows& rows, const EvenStiffness& whole,
+                           int n);
 
   std::vector<Batch> batches_;
   Mat3 membrane_;
+  bool is_cloth_ = false, bends_ = false, wrinkles_ = false;
+  ClothFacets cloth_;
   /// Of the nodes of the batch at hand: in, then out.
   alignas(64) VectorRow<size> position_[3], director_[3], force_[3], moment_[3];
+  ClothForces cloth_forces_;  ///< of its membranes
 };
 
 }  // namespace encased_column

@@ -21,13 +21,13 @@ struct FacetBatches::InBatch {
 // A function of its own: what is declared in the loop itself would stay in memory.
 double FacetBatches::resolve_one(const Batch& batch, int n)
 {
-  const auto membrane_force = [this](const PlaneVector& strain) -> PlaneVector {
-    return strain(0) * membrane_.col(0) + strain(1) * membrane_.col(1) +
-           strain(2) * membrane_.col(2);
+  const auto membrane = [this](const PlaneVector& strain) -> MembraneAnswer {
+    return {strain, strain(0) * membrane_.col(0) + strain(1) * membrane_.col(1) +
+                        strain(2) * membrane_.col(2)};
   };
   const FacetVectors x{position_[0].at(n), position_[1].at(n), position_[2].at(n)};
   const FacetVectors d{director_[0].at(n), director_[1].at(n), director_[2].at(n)};
-  const FacetLoads loads = facet_loads<true>(InBatch{batch, n}, x, d, membrane_force);
+  const FacetLoads loads = facet_loads<true>(InBatch{batch, n}, x, d, membrane);
   for (int i = 0; i < 3; ++i) {
     force_[i].set(n, loads.force[i]);
     moment_[i].set(n, loads.moment[i]);
@@ -42,6 +42,76 @@ ENCASE_VECTOR_UNITS [[gnu::flatten]] double FacetBatches::resolve(const Batch& b
   double energy = 0.0;
 #pragma omp simd reduction(+ : energy)
   for (int n = first; n < last; ++n) energy += resolve_one(batch, n);
+  return energy;
+}
+
+template <bool bends, bool wrinkles, bool softens, bool remembers, bool torn>
+double FacetBatches::resolve_one_cloth(const Batch& batch, const ClothRows& rows,
+                                       const EvenStiffness& whole, int n)
+{
+  // Number by number: copies of vectors would stay in memory.
+  const auto membrane = [&](const PlaneVector& strain) -> MembraneAnswer {
+    const double hoop = remembers ? strain(0) - rows.plastic_strain[0][n] : strain(0);
+    const double axial = remembers ? strain(1) - rows.plastic_strain[1][n] : strain(1);
+    const double shear = strain(2);
+    const PlaneVector force =
+        relaxed_force<wrinkles, softens>(torn ? rows.stiffness.at(n) : whole, {hoop, axial, shear});
+    const double force_hoop = force(0), force_axial = force(1), force_shear = force(2);
+    if constexpr (remembers) {
+      cloth_forces_.force[0][n] = force_hoop;
+      cloth_forces_.force[1][n] = force_axial;
+      cloth_forces_.force[2][n] = force_shear;
+    }
+    return {{hoop, axial, shear}, {force_hoop, force_axial, force_shear}};
+  };
+  const FacetVectors x{position_[0].at(n), position_[1].at(n), position_[2].at(n)};
+  const FacetVectors d{director_[0].at(n), director_[1].at(n), director_[2].at(n)};
+  const FacetLoads loads = facet_loads<bends>(InBatch{batch, n}, x, d, membrane);
+  for (int i = 0; i < 3; ++i) {
+    force_[i].set(n, loads.force[i]);
+    moment_[i].set(n, loads.moment[i]);
+  }
+  return loads.energy;
+}
+
+template <bool bends, bool wrinkles, bool softens, bool remembers, bool torn>
+ENCASE_VECTOR_UNITS [[gnu::flatten]] double FacetBatches::resolve_cloth_as(const Batch& batch,
+                                                                           const ClothRows& rows,
+                                                                           int first, int last)
+{
+  const EvenStiffness whole = cloth_.whole();
+  double energy = 0.0;
+#pragma omp simd reduction(+ : energy)
+  for (int n = first; n < last; ++n)
+    energy += resolve_one_cloth<bends, wrinkles, softens, remembers, torn>(batch, rows, whole, n);
+  return energy;
+}
+
+template <bool bends, bool wrinkles, bool softens>
+double FacetBatches::resolve_cloth_kind(const Batch& batch, const ClothRows& rows, int first,
+                                        int last)
+{
+  if (rows.torn)
+    return resolve_cloth_as<bends, wrinkles, softens, true, true>(batch, rows, first, last);
+  if (cloth_.remembers())
+    return resolve_cloth_as<bends, wrinkles, softens, true, false>(batch, rows, first, last);
+  return resolve_cloth_as<bends, wrinkles, softens, false, false>(batch, rows, first, last);
+}
+
+double FacetBatches::resolve_cloth(const Batch& batch, int number, int first, int last)
+{
+  const ClothRows& rows = cloth_.rows(number);
+  double energy;
+  if (!wrinkles_)
+    energy = bends_ ? resolve_cloth_kind<true, false, true>(batch, rows, first, last)
+                    : resolve_cloth_kind<false, false, true>(batch, rows, first, last);
+  else if (!cloth_.softens_off_axis())
+    energy = bends_ ? resolve_cloth_kind<true, true, false>(batch, rows, first, last)
+                    : resolve_cloth_kind<false, true, false>(batch, rows, first, last);
+  else
+    energy = bends_ ? resolve_cloth_kind<true, true, true>(batch, rows, first, last)
+                    : resolve_cloth_kind<false, true, true>(batch, rows, first, last);
+  cloth_.ask(number, first, last, cloth_forces_);
   return energy;
 }
 

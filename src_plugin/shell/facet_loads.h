@@ -19,6 +19,12 @@ struct FacetLoads {
   double energy;        ///< membrane and bending [J]
 };
 
+/// What a membrane answers to a strain.
+struct MembraneAnswer {
+  PlaneVector elastic_strain;  ///< the part that stores energy [-]
+  PlaneVector force;           ///< [N/m]
+};
+
 /// What the loads of a facet need of its reference, in material axes.
 struct FacetReference {
   Triangle2 gradient;     ///< of the area coordinates, as columns [1/m]
@@ -37,21 +43,20 @@ CorotationalFrame frame_at(const Reference& facet, const FacetVectors& x)
 }
 
 /// Forces, moments and energy at node positions `x` [m] and directors `d` (the facet's reference
-/// normal as each node has turned it): minus the exact gradient of the energy. `force` gives the
-/// membrane forces [N/m] of a strain. Reference is FacetReference or reads like it. Without
+/// normal as each node has turned it): minus the exact gradient of the energy stored. `membrane`
+/// gives the MembraneAnswer to a strain. Reference is FacetReference or reads like it. Without
 /// branches and calls, so that facets fit side by side into vector units.
-template <bool bends, typename Reference, typename MembraneForce>
+template <bool bends, typename Reference, typename Membrane>
 FacetLoads facet_loads(const Reference& facet, const FacetVectors& x, const FacetVectors& d,
-                       const MembraneForce& force)
+                       const Membrane& membrane)
 {
   const CorotationalFrame frame = frame_at(facet, x);
-  const PlaneVector strain = membrane_strain(frame);
-  const PlaneVector n = force(strain);
-  const MembranePull pull(frame, n);
+  const MembraneAnswer answer = membrane(membrane_strain(frame));
+  const MembranePull pull(frame, answer.force);
   Vec3 p1 = facet.area * pull.p1, p2 = facet.area * pull.p2;
 
   FacetLoads out;
-  out.energy = 0.5 * facet.area * strain.dot(n);
+  out.energy = 0.5 * facet.area * answer.elastic_strain.dot(answer.force);
   if constexpr (bends) {
     const FacetVectors director{frame.to_local(d[0]), frame.to_local(d[1]), frame.to_local(d[2])};
     const DirectorTilt tilt[3] = {DirectorTilt(director[0]), DirectorTilt(director[1]),

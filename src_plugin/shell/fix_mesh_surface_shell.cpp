@@ -48,7 +48,7 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
   style = std::strcpy(new char[sizeof("sleeve")], "sleeve");
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 15;
+  size_vector = 18;
   global_freq = 1;
   extvector = 0;
 }
@@ -184,6 +184,7 @@ void FixMeshSurfaceShell::final_integrate()
   if (!sleeve_->is_time_to_check(step)) return;
   if (const auto fault = sleeve_->fault(step))
     stop_from_one_rank(lmp, "at step " + std::to_string(step) + " " + *fault);
+  share_memory();
   for (const std::string& sentence :
        sleeve_->warnings(window(), id, {platens_.id(true), platens_.id(false)}, step))
     if (comm->me == 0) error->warning(FLERR, sentence.c_str());
@@ -191,44 +192,36 @@ void FixMeshSurfaceShell::final_integrate()
 
 double FixMeshSurfaceShell::compute_vector(int n)
 {
-  switch (n) {
-    case 0:
-      return pressure_now();
-    case 1:
-      return summary().hoop_tension;
-    case 2:
-      return summary().hoop_tension_max;
-    case 3:
-      return summary().hoop_strain;
-    case 4:
-      return summary().hoop_strain_max;
-    case 5:
-      return axial_force(true);
-    case 6:
-      return axial_force(false);
-    case 7:
-      return friction_force();
-    case 8:
-      return enclosed_volume(window().low, window().high);
-    case 9:
-      return stored_energy();
-    case 10:
-      return kinetic_energy();
-    case 11:
-      return work();
-    case 12:
-      return damping_loss();
-    case 13:
-      return sleeve_->mass_factor();
-    default:
-      return static_cast<double>(sleeve_->ramp_left(update->ntimestep));
-  }
+  using Self = FixMeshSurfaceShell;
+  static constexpr double (*values[])(Self&) = {
+      [](Self& s) { return s.pressure_now(); },
+      [](Self& s) { return s.summary().hoop_tension; },
+      [](Self& s) { return s.summary().hoop_tension_max; },
+      [](Self& s) { return s.summary().hoop_strain; },
+      [](Self& s) { return s.summary().hoop_strain_max; },
+      [](Self& s) { return s.axial_force(true); },
+      [](Self& s) { return s.axial_force(false); },
+      [](Self& s) { return s.friction_force(); },
+      [](Self& s) { return s.enclosed_volume(s.window().low, s.window().high); },
+      [](Self& s) { return s.stored_energy(); },
+      [](Self& s) { return s.kinetic_energy(); },
+      [](Self& s) { return s.work(); },
+      [](Self& s) { return s.damping_loss(); },
+      [](Self& s) { return s.sleeve_->mass_factor(); },
+      [](Self& s) { return static_cast<double>(s.sleeve_->ramp_left(s.update->ntimestep)); },
+      [](Self& s) { return s.summary().plastic_hoop_strain_max; },
+      [](Self& s) { return s.summary().damage_max; },
+      [](Self& s) { return s.yielding_loss(); },
+  };
+  return values[n](*this);
 }
 
 void FixMeshSurfaceShell::write_restart(FILE* file)
 {
   const double pressure_work = sum_over_ranks(sleeve_->pressure_work(), world);
-  if (comm->me == 0) write_block(file, sleeve_->state(pressure_work));
+  const double dissipated = yielding_loss();
+  share_memory();
+  if (comm->me == 0) write_block(file, sleeve_->state(pressure_work, dissipated));
 }
 
 // The sleeve goes on as it was, but for what the fix line says.

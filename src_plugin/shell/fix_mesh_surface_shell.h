@@ -48,16 +48,27 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
   double stored_energy() const override { return sum_over_ranks(sleeve_->energy(), world); }
   double kinetic_energy() const override { return model().kinetic_energy(); }
   double damping_loss() const override { return sleeve_->damping_loss(); }
+  double yielding_loss() const override { return sum_over_ranks(sleeve_->dissipated(), world); }
   int count_outside(const double* centers, int count, double z_low, double z_high) const override
   {
     return sleeve_->count_outside(centers, count, {z_low, z_high});
   }
 
   const ShellModel& model() const { return sleeve_->model(); }
+  /// Makes what the facets remember known on every rank, which all must call.
+  void share_memory()
+  {
+    sleeve_->share_memory(
+        [this](double* numbers, std::size_t count) { sum_over_ranks(numbers, count, world); });
+  }
   /// Between the platens [m].
   HeightWindow window() const { return platens_.window(); }
   double pressure_now() const { return sleeve_->pressure(update->ntimestep); }
-  SleeveSummary summary() const { return summary_of(model(), window()); }
+  SleeveSummary summary()
+  {
+    share_memory();
+    return summary_of(model(), window());
+  }
   /// What the supports of an end take along z, on the sleeve [N].
   double axial_force(bool top) const { return sleeve_->axial_force(top); }
   /// Vertical force of all grains on the sleeve [N]; the same on every rank.

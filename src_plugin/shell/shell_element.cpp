@@ -58,25 +58,26 @@ Triangle2 ShellElement::reference_corners() const
 }
 
 FacetLoads ShellElement::loads(const ShellMaterial& material, const FacetVectors& x,
-                               const FacetRotations& r) const
+                               const FacetRotations& r, const FacetMemory& memory) const
 {
   const FacetVectors director{r[0] * normal_, r[1] * normal_, r[2] * normal_};
-  const auto force = [&material](const PlaneVector& strain) {
-    return material.membrane_force(strain);
+  const auto membrane = [&](const PlaneVector& strain) -> MembraneAnswer {
+    return {ShellMaterial::elastic_strain(strain, memory), material.membrane_force(strain, memory)};
   };
-  return material.bends() ? facet_loads<true>(reference_, x, director, force)
-                          : facet_loads<false>(reference_, x, director, force);
+  return material.bends() ? facet_loads<true>(reference_, x, director, membrane)
+                          : facet_loads<false>(reference_, x, director, membrane);
 }
 
 FacetState ShellElement::state(const ShellMaterial& material, const FacetVectors& x,
-                               const FacetRotations& r) const
+                               const FacetRotations& r, const FacetMemory& memory) const
 {
   const CorotationalFrame frame = frame_at(reference_, x);
   FacetState out;
   out.strain = membrane_strain(frame);
-  out.membrane_force = material.membrane_force(out.strain);
+  out.membrane_force = material.membrane_force(out.strain, memory);
   out.membrane_energy =
-      reference_.area * ShellMaterial::membrane_energy(out.strain, out.membrane_force);
+      reference_.area * ShellMaterial::membrane_energy(
+                            ShellMaterial::elastic_strain(out.strain, memory), out.membrane_force);
   out.area_ratio = frame.area_ratio;
   const double mean = 0.5 * (out.strain(0) + out.strain(1));
   const double radius = 0.5 * std::hypot(out.strain(0) - out.strain(1), out.strain(2));
@@ -102,11 +103,19 @@ double ShellElement::gyration_square(const ShellMaterial& material) const
   return std::max(t * t / 12.0, area_share * reference_.area);
 }
 
-StiffnessBound ShellElement::stiffness_bound(const ShellMaterial& material,
-                                             const FacetVectors& x) const
+std::array<double, 2> ShellElement::tear_widths() const
+{
+  const auto chord = [this](int direction) {
+    return 1.0 / reference_.gradient.row(direction).cwiseAbs().maxCoeff();
+  };
+  return {chord(0), chord(1)};
+}
+
+StiffnessBound ShellElement::stiffness_bound(const ShellMaterial& material, const FacetVectors& x,
+                                             const FacetMemory& memory) const
 {
   const CorotationalFrame frame = frame_at(reference_, x);
-  const PlaneVector n = material.membrane_force(membrane_strain(frame));
+  const PlaneVector n = material.membrane_force(membrane_strain(frame), memory);
   const Mat3& d = material.membrane();
 
   // Largest eigenvalue of sum_a grad_a grad_a^T.

@@ -14,7 +14,7 @@ struct FacetState {
   double largest_strain;       ///< principal [-]
   double smallest_strain;      ///< principal [-]
   double area_ratio;           ///< current over reference area [-]
-  double membrane_energy;      ///< [J]
+  double membrane_energy;      ///< stored [J]
   double bending_energy;       ///< [J]
 };
 
@@ -40,15 +40,22 @@ class ShellElement {
   const Vec3& axial_direction() const { return axial_; }
 
   /// Forces, moments and energy at node positions `x` [m] and rotations `r` from the reference:
-  /// minus the exact gradient of the energy.
-  FacetLoads loads(const ShellMaterial& material, const FacetVectors& x,
-                   const FacetRotations& r) const;
+  /// minus the exact gradient of the energy stored.
+  FacetLoads loads(const ShellMaterial& material, const FacetVectors& x, const FacetRotations& r,
+                   const FacetMemory& memory = {}) const;
 
-  FacetState state(const ShellMaterial& material, const FacetVectors& x,
-                   const FacetRotations& r) const;
+  FacetState state(const ShellMaterial& material, const FacetVectors& x, const FacetRotations& r,
+                   const FacetMemory& memory = {}) const;
 
-  /// Bounds at the current positions, pre-tension included.
-  StiffnessBound stiffness_bound(const ShellMaterial& material, const FacetVectors& x) const;
+  /// Bounds at the current positions, pre-tension included; of the whole cloth, damage only lowers
+  /// its stiffness.
+  StiffnessBound stiffness_bound(const ShellMaterial& material, const FacetVectors& x,
+                                 const FacetMemory& memory = {}) const;
+
+  /// Widths [m] of the bands (hoop, axial) in which the facet tears: its longest chords along them,
+  /// so that facets side by side across a direction take the fracture energy of their width.
+  /// Source: Oliver, Int. J. Num. Meth. Eng. 28 (1989) 461-474, for triangles of constant strain.
+  std::array<double, 2> tear_widths() const;
 
   /// Square of the length [m^2] that relates rotational to translational inertia: the facet's own
   /// rotatory inertia per mass (t^2/12), but at least a share of its area, so that the rotations

@@ -2,9 +2,7 @@
 
 #include "core/input_error.h"
 #include "core/vec3.h"
-#include "shell/cst_membrane.h"
-
-#include <cmath>
+#include "shell/cloth.h"
 
 namespace encased_column {
 
@@ -18,9 +16,11 @@ struct ShellConstants {
   double bending_thickness = -1.0;  ///< t_b [m]; below 0: t; 0: no bending stiffness
   double density = 0.0;             ///< [kg/m^3]
   bool tension_only = false;        ///< the membrane wrinkles instead of carrying compression
+  ClothConstants cloth;             ///< strip tests and strength
 };
 
-/// Plane-stress law of the sleeve in the axes (hoop, axial): N = t D e, M = t_b^3 / 12 D k.
+/// Plane-stress law of the sleeve in the axes (hoop, axial): N = t D e, M = t_b^3 / 12 D k; as a
+/// cloth the membrane wrinkles, yields and tears.
 class ShellMaterial {
  public:
   /// Throws InputError for constants without a positive energy.
@@ -41,9 +41,6 @@ class ShellMaterial {
               c.poisson, "a smaller ratio");
       require(c.shear_modulus > 0.0, "shear_modulus of an orthotropic shell must be larger than 0",
               c.shear_modulus, "the shear modulus in Pa");
-      if (c.tension_only)
-        throw InputError("tension_only needs an isotropic shell, found modulus_axial " +
-                         in_words(axial) + ": leave out modulus_axial or write 'tension_only no'");
     } else {
       require(c.poisson > -1.0 && c.poisson < 0.5, "poisson of the shell must lie in (-1, 0.5)",
               c.poisson, "for instance 0.3");
@@ -58,6 +55,8 @@ class ShellMaterial {
     membrane_ = c.thickness * d;
     const double tb = constants_.bending_thickness;
     bending_ = tb * tb * tb / 12.0 * d;
+    cloth_ = Cloth(c.cloth, {c.thickness * c.modulus_hoop, c.thickness * axial}, c.poisson,
+                   c.thickness * shear);
   }
 
   const ShellConstants& constants() const { return constants_; }
@@ -67,38 +66,38 @@ class ShellMaterial {
   /// t_b^3 D / 12 [N m]
   const Mat3& bending() const { return bending_; }
 
+  const Cloth& cloth() const { return cloth_; }
+  /// False where the membrane is linear elastic, whatever happens to it.
+  bool is_cloth() const { return constants_.tension_only || cloth_.yields(); }
+
   /// Membrane forces (N11, N22, N12) per reference length [N/m].
-  PlaneVector membrane_force(const PlaneVector& strain) const
+  PlaneVector membrane_force(const PlaneVector& strain, const FacetMemory& memory = {}) const
   {
-    return constants_.tension_only ? wrinkled_force(strain) : membrane_ * strain;
+    if (!is_cloth()) return membrane_ * strain;
+    const EvenStiffness even = cloth_.stiffness(memory);
+    const PlaneVector elastic = elastic_strain(strain, memory);
+    const bool softens = cloth_.softens_off_axis();
+    if (constants_.tension_only)
+      return softens ? relaxed_force<true, true>(even, elastic)
+                     : relaxed_force<true, false>(even, elastic);
+    return softens ? relaxed_force<false, true>(even, elastic)
+                   : relaxed_force<false, false>(even, elastic);
   }
 
-  /// Membrane energy per reference area [J/m^2], of which the force is the derivative: the force is
-  /// linear homogeneous in the strain in every state, wrinkled or not.
-  static double membrane_energy(const PlaneVector& strain, const PlaneVector& force)
+  /// The part of a strain that unloading gives back.
+  static PlaneVector elastic_strain(const PlaneVector& strain, const FacetMemory& memory)
   {
-    return 0.5 * strain.dot(force);
+    return {strain(0) - memory.plastic_strain[0], strain(1) - memory.plastic_strain[1], strain(2)};
+  }
+
+  /// Energy stored per reference area [J/m^2], of which the force is the derivative: the force is
+  /// linear homogeneous in the elastic strain in every state, wrinkled or not.
+  static double membrane_energy(const PlaneVector& elastic_strain, const PlaneVector& force)
+  {
+    return 0.5 * elastic_strain.dot(force);
   }
 
  private:
-  /// Tension field: taut where both principal forces are tensile; one wrinkled direction keeps
-  /// E t e1 along the other; slack where even e1 is not positive.
-  /// Source: Pipkin, "The relaxed energy density for isotropic elastic membranes", IMA J. Appl.
-  /// Math. 36 (1986) 85-99: the relaxed energy, so the forces stay its exact gradient.
-  PlaneVector wrinkled_force(const PlaneVector& strain) const
-  {
-    const double mean = 0.5 * (strain(0) + strain(1));
-    const double half_difference = 0.5 * (strain(0) - strain(1)), half_shear = 0.5 * strain(2);
-    const double radius = std::hypot(half_difference, half_shear);
-    const double largest = mean + radius, smallest = mean - radius;
-    if (largest <= 0.0) return PlaneVector::Zero();
-    if (smallest + constants_.poisson * largest >= 0.0) return membrane_ * strain;
-    const double force = constants_.modulus_hoop * constants_.thickness * largest;
-    const double cosine = half_difference / radius,
-                 sine = half_shear / radius;  // of twice the angle
-    return 0.5 * force * PlaneVector(1.0 + cosine, 1.0 - cosine, sine);
-  }
-
   static void require(bool holds, const char* rule, double found, const char* advice)
   {
     if (!holds)
@@ -107,6 +106,7 @@ class ShellMaterial {
 
   ShellConstants constants_;
   Mat3 membrane_, bending_;
+  Cloth cloth_;
 };
 
 }  // namespace encased_column

@@ -88,14 +88,14 @@ FacetRotations ShellModel::corner_rotations(int facet) const
 
 FacetState ShellModel::facet_state(int facet) const
 {
-  return element_[facet].state(material_, corners(facet), corner_rotations(facet));
+  return element_[facet].state(material_, corners(facet), corner_rotations(facet), memory(facet));
 }
 
-double ShellModel::add_internal_loads(int first, int last)
+double ShellModel::add_internal_loads(int first, int last, bool at_set_up)
 {
-  if (material_.bends() && !material_.constants().tension_only)
-    return batches_.add_loads(first, last, position_.data(), rotation_matrix_.data(), load_.data(),
-                              load_.data() + nodes());
+  if (material_.bends() || material_.is_cloth())
+    return batches_.add_loads(first, last, at_set_up, position_.data(), rotation_matrix_.data(),
+                              load_.data(), load_.data() + nodes());
   double energy = 0.0;
   for (int f = first; f < last; ++f) {
     const FacetLoads loads = element_[f].loads(material_, corners(f), corner_rotations(f));
@@ -174,7 +174,7 @@ double ShellModel::support_work(const Support& support, double dt) const
 void ShellModel::add_stiffness(int first, int last, std::vector<StiffnessBound>& bound) const
 {
   for (int f = first; f < last; ++f) {
-    const StiffnessBound facet = element_[f].stiffness_bound(material_, corners(f));
+    const StiffnessBound facet = element_[f].stiffness_bound(material_, corners(f), memory(f));
     for (const int node : facet_[f]) {
       bound[node].translation += facet.translation;
       bound[node].rotation += facet.rotation;

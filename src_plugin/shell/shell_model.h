@@ -65,8 +65,21 @@ class ShellModel {
   void set_masses(const std::vector<double>& mass, const std::vector<double>& inertia);
 
   void clear_loads();
-  /// Adds the internal forces and moments of facets [first, last); returns their energy [J].
-  double add_internal_loads(int first, int last);
+  /// Adds the internal forces and moments of facets [first, last); returns their energy [J]. Before
+  /// that a cloth yields and tears by the loads of the call before, unless `at_set_up`.
+  double add_internal_loads(int first, int last, bool at_set_up = false);
+  /// What its facets remember and have taken out; empty unless the sleeve is a cloth.
+  ClothFacets& cloth() { return batches_.cloth(); }
+  const ClothFacets& cloth() const { return batches_.cloth(); }
+  /// Of the strength of a direction, less than 1 on a seam [-].
+  double strength_share(int direction, int facet) const
+  {
+    return cloth().memory().empty() ? 1.0 : cloth().strength_share(direction, facet);
+  }
+  FacetMemory memory(int facet) const
+  {
+    return cloth().memory().empty() ? FacetMemory() : cloth().memory()[facet];
+  }
   /// One step of central differences: local damping -alpha |F| sign(v) per component of force and
   /// moment, supports, then motion.
   StepWork advance(double dt, double alpha);

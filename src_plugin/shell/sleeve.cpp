@@ -2,6 +2,8 @@
 
 #include "shell/enclosed_volume.h"
 #include "shell/level_cut.h"
+#include "shell/seam.h"
+#include "shell/sleeve_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +13,7 @@ namespace encased_column {
 
 namespace {
 
-constexpr int checks_apart = 4;   ///< times `every`, between two checks of the facets
-constexpr int bounds_apart = 20;  ///< times `every`, between two bounds of the facets' stiffness
-/// Distance [m] between platen and end of the sleeve that no grain of a test passes through.
-constexpr double end_tolerance = 1e-4;
+constexpr int checks_apart = 4;  ///< times `every`, between two checks of the facets
 
 /// A sleeve's mesh with outward facets, whatever way a file turns them.
 SurfaceMesh facing_outward(SurfaceMesh mesh)
@@ -33,18 +32,13 @@ double mean_height(const std::vector<int>& nodes, const std::vector<Vec3>& posit
   return sum / static_cast<double>(nodes.size());
 }
 
-void put(const Vec3& v, std::vector<double>& to)
-{
-  to.insert(to.end(), v.data(), v.data() + 3);
-}
-
 }  // namespace
 
 Sleeve::Sleeve(const SurfaceMesh& mesh, const ShellConstants& constants, const NodalMassRule& rule,
                Rank rank)
-    : rule_(rule),
-      rank_(rank),
-      model_(facing_outward(mesh), constants, Vec3::UnitZ())
+    : rank_(rank),
+      model_(facing_outward(mesh), constants, Vec3::UnitZ()),
+      masses_(rule)
 {
   const SurfaceMesh outward{model_.reference(), model_.facet()};
   const auto loops = border_loops(outward);
@@ -56,6 +50,9 @@ Sleeve::Sleeve(const SurfaceMesh& mesh, const ShellConstants& constants, const N
   for (const Vec3& node : outward.node) axis_ += node / static_cast<double>(outward.node.size());
   axis_.z() = 0.0;
   pairs_ = facet_pairs(outward);
+  if (const ClothConstants& cloth = constants.cloth; cloth.seam < 1.0)
+    model_.cloth().weaken(facets_on_line(outward.facet, outward.node, axis_, cloth.seam_angle),
+                          cloth.seam);
   const long facets = model_.facets();
   first_ = static_cast<int>(facets * rank_.number / rank_.count);
   last_ = static_cast<int>(facets * (rank_.number + 1) / rank_.count);
@@ -78,7 +75,7 @@ void Sleeve::require_upright() const
 void Sleeve::set_control(const SleeveControl& control, long step)
 {
   // One that comes from a restart file with the masses of a step was released before.
-  if (control_.rigid && !control.rigid && mass_step_ == 0.0) released_ = step;
+  if (control_.rigid && !control.rigid && !masses_.are_of_a_step()) released_ = step;
   control_ = control;
   place_supports();
 }
@@ -108,24 +105,18 @@ void Sleeve::advance(double dt, const std::array<double, 2>& platen_speeds)
   damping_loss_ += work.damping;
 }
 
-// A set-up leaves masses that were made for this length of step as they are.
 void Sleeve::start_loads(const SleeveStep& step, const HeightWindow& window, bool at_set_up)
 {
   model_.clear_loads();
   vertical_force_ = 0.0;
-  updates_masses_ = mass_step_ != step.length || (!at_set_up && step.number % rule_.every == 0);
-  if (control_.rigid) {
-    updates_masses_ = false;
-    mass_step_ = 0.0;  // a release starts from the true masses
-    return;
-  }
-  energy_ = model_.add_internal_loads(first_, last_);
+  masses_.start(step, at_set_up, control_.rigid, model_.nodes());
+  if (control_.rigid) return;
+  energy_ = model_.add_internal_loads(first_, last_, at_set_up);
   if (const double pressure = pressure_.at(step.number); pressure != 0.0) {
     add_pressure(model_.facet(), model_.position(), first_, last_, -pressure,
                  control_.pressed_everywhere ? HeightWindow() : window, model_.external());
     for (int i = 0; i < model_.nodes(); ++i) model_.force(i) += model_.external()[i];
   }
-  if (updates_masses_) contact_bound_.assign(model_.nodes(), {0.0, 0.0});
 }
 
 const std::vector<int>& Sleeve::list_grains(const double* centers, const double* radii, int grains,
@@ -135,36 +126,6 @@ const std::vector<int>& Sleeve::list_grains(const double* centers, const double*
   return contacts_.grains();
 }
 
-/// True where the bound is that of this rank's facets and must be summed.
-bool Sleeve::find_facet_bound(const SleeveStep& step)
-{
-  if (!facet_bound_.empty() && step.number % (bounds_apart * rule_.every) != 0) return false;
-  facet_bound_.assign(model_.nodes(), {0.0, 0.0});
-  model_.add_stiffness(first_, last_, facet_bound_);
-  return true;
-}
-
-void Sleeve::update_nodal_masses(const SleeveStep& step)
-{
-  for (int i = 0; i < model_.nodes(); ++i) {
-    contact_bound_[i].translation += facet_bound_[i].translation;
-    contact_bound_[i].rotation += facet_bound_[i].rotation;
-  }
-  const bool from_true_masses = mass_step_ != step.length;
-  mass_step_ = step.length;
-  if (rule_.scaled) {
-    damping_loss_ +=
-        model_.scale_masses(contact_bound_, step.length, rule_.safety, from_true_masses);
-    mass_factor_ = model_.mass_factor();
-    return;
-  }
-  const double stable = model_.stable_step(contact_bound_, rule_.safety);
-  if (step.length > stable)
-    throw InputError("the step of " + in_words(step.length) +
-                     " s is longer than the sleeve's stable " + in_words(stable) +
-                     " s, write a shorter step or 'mass_scaling yes'");
-}
-
 void Sleeve::find_reactions()
 {
   if (!control_.rigid) model_.find_reactions();
@@ -172,13 +133,16 @@ void Sleeve::find_reactions()
 
 bool Sleeve::is_time_to_check(long step) const
 {
-  return step % (checks_apart * rule_.every) == 0;
+  return step % (checks_apart * masses_.rule().every) == 0;
 }
 
 std::optional<std::string> Sleeve::fault(long step) const
 {
-  auto fault =
-      fault_of_facets(model_, first_, last_, control_.strain_limit, steps_since_release(step));
+  std::optional<std::string> fault;
+  if (control_.stops_when_torn) fault = torn_facet(model_, first_, last_, axis_);
+  if (!fault)
+    fault =
+        fault_of_facets(model_, first_, last_, control_.strain_limit, steps_since_release(step));
   if (!fault && rank_.number == 0) fault = fault_of_pairs(model_, pairs_);
   return fault;
 }
@@ -197,25 +161,8 @@ std::vector<std::string> Sleeve::warnings(const HeightWindow& window, const std:
                                           const std::array<std::string, 2>& platens, long step)
 {
   std::vector<std::string> sentences;
-  const double heights[2] = {window.high, window.low};
-  for (int n = 0; n < 2; ++n) {
-    const double upwards = n == 0 ? 1.0 : -1.0;
-    double beyond = std::numeric_limits<double>::infinity();
-    for (const int node : end_nodes_[n])
-      beyond = std::min(beyond, upwards * (heights[n] - model_.position()[node].z()));
-    if (platen_told_[n] || !std::isfinite(heights[n]) || beyond <= end_tolerance) continue;
-    platen_told_[n] = true;
-    sentences.push_back("platen '" + platens[n] + "' stands " + in_words(beyond) +
-                        " m beyond the end of sleeve '" + id + "' at step " + std::to_string(step) +
-                        ", grains can escape there: hold the platen or make the sleeve longer");
-  }
-  if (control_.rupture <= 0.0 || rupture_told_) return sentences;
-  const double tension = summary_of(model_, window).hoop_tension_max;
-  if (tension <= control_.rupture) return sentences;
-  rupture_told_ = true;
-  sentences.push_back("the hoop tension of sleeve '" + id + "' is " + in_words(tension) +
-                      " N/m at step " + std::to_string(step) + " and passes its 'rupture' of " +
-                      in_words(control_.rupture) + " N/m; it does not tear");
+  watch_.look_at_ends(model_, end_nodes_, window, id, platens, step, sentences);
+  watch_.look_at_strength(model_, id, step, sentences);
   return sentences;
 }
 
@@ -259,80 +206,36 @@ double Sleeve::axial_force(bool top) const
   return sum;
 }
 
-std::vector<double> Sleeve::state(double pressure_work) const
+std::vector<double> Sleeve::state(double pressure_work, double dissipated) const
 {
-  const int nodes = model_.nodes();
-  std::vector<double> numbers{static_cast<double>(nodes),
-                              pressure_work,
-                              support_work_,
-                              damping_loss_,
-                              mass_step_,
-                              mass_factor_,
-                              facet_bound_.empty() ? 0.0 : 1.0};
+  std::vector<double> numbers{static_cast<double>(model_.nodes()), pressure_work, support_work_,
+                              damping_loss_};
+  masses_.save(numbers);
   for (const double number : pressure_.state()) numbers.push_back(number);
-  for (int i = 0; i < nodes; ++i) {
-    put(model_.position()[i], numbers);
-    for (int a = 0; a < 4; ++a) numbers.push_back(model_.rotation()[i].coeffs()(a));
-    put(model_.velocity()[i], numbers);
-    put(model_.angular_velocity()[i], numbers);
-    numbers.push_back(model_.mass()[i]);
-    numbers.push_back(model_.inertia()[i]);
-  }
-  for (const StiffnessBound& bound : facet_bound_) {
-    numbers.push_back(bound.translation);
-    numbers.push_back(bound.rotation);
-  }
+  save_nodes(model_, numbers);
+  masses_.save_bounds(numbers);
+  save_memory(model_, dissipated, numbers);
   return numbers;
 }
 
 void Sleeve::restore(const std::vector<double>& state)
 {
-  const double* from = state.data();
-  const auto take = [&](double* numbers, int count) {
-    if (from + count > state.data() + state.size())
-      throw InputError("the sleeve of the restart file must be whole, found " +
-                       std::to_string(state.size()) + " numbers, go on from another file");
-    std::copy_n(from, count, numbers);
-    from += count;
-  };
-  const auto take_one = [&] {
-    double number;
-    take(&number, 1);
-    return number;
-  };
-  const int nodes = model_.nodes();
-  if (const double saved = take_one(); saved != nodes)
+  NumberRow numbers(state);
+  if (const double saved = numbers.take(); saved != model_.nodes())
     throw InputError("the sleeve of the restart file has " + in_words(saved) + " nodes, this one " +
-                     std::to_string(nodes) + ", give the mesh it was made with");
-  const double pressure_work = take_one();
+                     std::to_string(model_.nodes()) + ", give the mesh it was made with");
+  const double pressure_work = numbers.take();
   pressure_work_ = rank_.number == 0 ? pressure_work : 0.0;
-  support_work_ = take_one();
-  damping_loss_ = take_one();
-  mass_step_ = take_one();
-  mass_factor_ = take_one();
-  // A sleeve that was never released has none yet: its release must find them, not take zeros.
-  const bool bounds_are_known = take_one() != 0.0;
+  support_work_ = numbers.take();
+  damping_loss_ = numbers.take();
+  masses_.restore(numbers);
   std::array<double, PressureRamp::numbers> ramp;
-  take(ramp.data(), PressureRamp::numbers);
+  numbers.take(ramp.data(), PressureRamp::numbers);
   pressure_.restore(ramp);
-  std::vector<Vec3> position(nodes), velocity(nodes), spin(nodes);
-  std::vector<Quaternion> rotation(nodes);
-  std::vector<double> mass(nodes), inertia(nodes);
-  for (int i = 0; i < nodes; ++i) {
-    take(position[i].data(), 3);
-    take(rotation[i].coeffs().data(), 4);
-    take(velocity[i].data(), 3);
-    take(spin[i].data(), 3);
-    mass[i] = take_one();
-    inertia[i] = take_one();
-  }
-  model_.set_state(position, rotation, velocity, spin);
-  model_.set_masses(mass, inertia);
-  facet_bound_.resize(bounds_are_known ? nodes : 0);
-  for (StiffnessBound& bound : facet_bound_) {
-    bound.translation = take_one();
-    bound.rotation = take_one();
-  }
+  restore_nodes(model_, numbers);
+  masses_.restore_bounds(numbers, model_.nodes());
+  restore_memory(model_, numbers);
+  if (rank_.number != 0) model_.cloth().set_dissipated(0.0);
 }
 
 }  // namespace encased_column

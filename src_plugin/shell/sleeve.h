@@ -1,10 +1,13 @@
 #pragma once
 
 #include "core/constants.h"
+#include "shell/nodal_masses.h"
 #include "shell/pressure_load.h"
 #include "shell/sleeve_contacts.h"
 #include "shell/sleeve_end.h"
+#include "shell/sleeve_record.h"
 #include "shell/sleeve_state.h"
+#include "shell/sleeve_watch.h"
 
 #include <array>
 #include <cmath>
@@ -21,25 +24,12 @@ struct SleeveControl {
   bool pressed_everywhere = false;  ///< else between the platens
   double damping = 0.7;             ///< local damping alpha [-]
   double strain_limit = 0.5;        ///< [-]
-  double rupture = 0.0;             ///< hoop tension that is warned of [N/m], 0: none
-};
-
-/// How the masses of the nodes are found.
-struct NodalMassRule {
-  bool scaled = true;   ///< as heavy as the step asks for; else the true ones
-  double safety = 0.8;  ///< fraction of the step sqrt(m/k) [-]
-  int every = 50;       ///< [steps]
+  bool stops_when_torn = true;      ///< the run ends at the first facet that is torn through
 };
 
 /// The part of a machine that a sleeve is on: nodes are known to all, facets are divided.
 struct Rank {
   int number = 0, count = 1;
-};
-
-/// A step, or its set-up, which repeats the forces of the one before.
-struct SleeveStep {
-  long number;
-  double length;  ///< [s]
 };
 
 /// A deformable sleeve around a specimen: mesh, material, masses, ends, the pressure from outside
@@ -75,8 +65,7 @@ class Sleeve {
   template <typename Grains, typename Law>
   std::optional<GrainBehind> press_grains(const Grains& grains, const Law& law)
   {
-    return contacts_.resolve(model_, !control_.rigid, grains,
-                             updates_masses_ ? &contact_bound_ : nullptr,
+    return contacts_.resolve(model_, !control_.rigid, grains, masses_.contact_bound(),
                              [&](const SleeveContact& contact) {
                                const SleeveReaction reaction = law(contact);
                                vertical_force_ -= reaction.force.z();
@@ -91,10 +80,7 @@ class Sleeve {
     if (control_.rigid) return;
     std::vector<Vec3>& load = model_.load();
     if (rank_.count > 1) sum(load.front().data(), 3 * load.size());
-    if (!updates_masses_) return;
-    if (find_facet_bound(step)) sum(&facet_bound_.front().translation, 2 * facet_bound_.size());
-    sum(&contact_bound_.front().translation, 2 * contact_bound_.size());
-    update_nodal_masses(step);
+    damping_loss_ += masses_.finish(model_, first_, last_, step, sum);
   }
   /// What the supports bear of the loads as they stand, for what looks before the first step.
   void find_reactions();
@@ -117,30 +103,42 @@ class Sleeve {
   /// How many of `count` centers in a row of triples [m] are not inside, within the window.
   int count_outside(const double* centers, int count, const HeightWindow& window) const;
   double axial_force(bool top) const;  ///< on the sleeve by the supports of an end, along z [N]
-  double mass_factor() const { return mass_factor_; }
+  double mass_factor() const { return masses_.factor(); }
 
   // Of this rank alone:
   double energy() const { return energy_; }                  ///< elastic [J]
   double vertical_force() const { return vertical_force_; }  ///< of the grains on the sleeve [N]
   double pressure_work() const { return pressure_work_; }    ///< [J]
+  /// What yielding and tearing took [J].
+  double dissipated() const { return model_.cloth().dissipated(); }
   // The same on every rank:
   double support_work() const { return support_work_; }  ///< [J]
   double damping_loss() const { return damping_loss_; }  ///< with what rising masses took [J]
 
-  /// All that a run needs to go on bit by bit; `pressure_work` is that of all ranks.
-  std::vector<double> state(double pressure_work) const;
+  /// True where facets remember what other ranks do not know of them.
+  bool remembers() const { return model_.cloth().remembers(); }
+  /// Makes the memory of all facets known here, for summaries and files.
+  template <typename Sum>
+  void share_memory(const Sum& sum)
+  {
+    if (rank_.count == 1 || !remembers()) return;
+    std::vector<double> numbers = memory_numbers(model_, first_, last_);
+    sum(numbers.data(), numbers.size());
+    take_memory(model_, numbers);
+  }
+
+  /// All that a run needs to go on bit by bit; the energies [J] are those of all ranks, and so must
+  /// the memory of the facets be.
+  std::vector<double> state(double pressure_work, double dissipated) const;
   /// Throws InputError where the numbers are of another mesh.
   void restore(const std::vector<double>& state);
 
  private:
   void require_upright() const;
   void place_supports();
-  bool find_facet_bound(const SleeveStep& step);
-  void update_nodal_masses(const SleeveStep& step);
   double level_inside(double z) const;
   long steps_since_release(long step) const { return released_ < 0 ? -1 : step - released_; }
 
-  NodalMassRule rule_;
   Rank rank_;
   ShellModel model_;
   std::vector<std::array<int, 2>> pairs_;  ///< neighbouring facets
@@ -154,14 +152,10 @@ class Sleeve {
   long released_ = -1;  ///< step of the release from being rigid, below 0: none
   SleeveContacts contacts_;
 
-  std::vector<StiffnessBound> facet_bound_;  ///< empty: not known yet
-  std::vector<StiffnessBound> contact_bound_;
-  bool updates_masses_ = false;  ///< in this step
-  double mass_step_ = 0.0;       ///< length of the step the masses were made for [s], 0: none
-  double mass_factor_ = 1.0;
+  NodalMasses masses_;
   double energy_ = 0.0, pressure_work_ = 0.0, vertical_force_ = 0.0;
   double support_work_ = 0.0, damping_loss_ = 0.0;
-  bool rupture_told_ = false, platen_told_[2] = {false, false};
+  SleeveWatch watch_;
 };
 
 }  // namespace encased_column

@@ -1,6 +1,7 @@
 #include "shell/sleeve_input.h"
 
 #include "files/mesh_file.h"
+#include "shell/cloth_input.h"
 #include "shell/cylinder_mesh.h"
 
 namespace encased_column {
@@ -25,7 +26,8 @@ const std::vector<Keyword>& sleeve_keywords()
        "instead of `cylinder`: mesh from a .stl, .vtk or .vtp file, about an axis along z"},
       {"type", 1, "-", "atom type that stands for the material of the sleeve"},
       {"platens", 2, "-", "IDs of the upper and the lower `fix servo/platen`"},
-      {"modulus", 1, "Pa", "Young's modulus, of the hoop direction if `modulus_axial` is given"},
+      {"modulus", 1, "Pa",
+       "Young's modulus, of hoop if `modulus_axial` is given; with `strip` of unloading"},
       {"poisson", 1, "-", "Poisson's ratio, -1 to 0.5"},
       {"thickness", 1, "m", "of the membrane, larger than zero"},
       {"bending_thickness", 1, "m", "that bending feels, zero or larger (default: the thickness)"},
@@ -47,9 +49,13 @@ const std::vector<Keyword>& sleeve_keywords()
       {"every", 1, "steps", "how often masses and safety are looked at (default 50)"},
       {"strain_limit", 1, "-",
        "largest principal strain of a facet, with `tension_only` of stretch alone (default 0.5)"},
-      {"rupture", 1, "N/m", "hoop tension above which the log gets a warning (default: none)"},
   };
-  return keywords;
+  static const std::vector<Keyword> all = [] {
+    std::vector<Keyword> both = keywords;
+    both.insert(both.end(), cloth_keywords().begin(), cloth_keywords().end());
+    return both;
+  }();
+  return all;
 }
 
 SurfaceMesh read_sleeve_mesh(const Options& options)
@@ -69,17 +75,21 @@ SurfaceMesh read_sleeve_mesh(const Options& options)
 ShellConstants read_shell_constants(const Options& options)
 {
   ShellConstants constants;
-  constants.modulus_hoop = options.positive("modulus");
   constants.poisson = options.number("poisson");
   constants.thickness = options.positive("thickness");
   constants.density = options.positive("density");
+  constants.cloth = read_cloth(options);
+  if (!constants.cloth.strip[0].empty() && !options.has("modulus"))
+    take_moduli_of_strip(constants);
+  else
+    constants.modulus_hoop = options.positive("modulus");
   constants.tension_only = is_yes(options, "tension_only", false);
   if (options.has("bending_thickness"))
     constants.bending_thickness = options.not_negative("bending_thickness", 0.0);
   options.assume("bending_thickness", constants.thickness);
   if (options.has("modulus_axial"))
     constants.modulus_axial = options.positive("modulus_axial");
-  else if (options.has("shear_modulus"))
+  else if (options.has("shear_modulus") && constants.modulus_axial == 0.0)
     throw InputError(
         "'shear_modulus' goes with 'modulus_axial', found it alone, give both or neither");
   if (options.has("shear_modulus")) constants.shear_modulus = options.positive("shear_modulus");
@@ -104,7 +114,8 @@ SleeveControl read_sleeve_control(const Options& options, const SleeveControl& n
                      now.pressed_everywhere ? "everywhere" : "between") == "everywhere";
   control.damping = options.between("damping", 0.0, 0.99, now.damping);
   control.strain_limit = options.positive("strain_limit", now.strain_limit);
-  if (options.has("rupture")) control.rupture = options.positive("rupture");
+  control.stops_when_torn = options.choice("when_torn", {"stop", "go_on"},
+                                           now.stops_when_torn ? "stop" : "go_on") == "stop";
   const auto& names = sleeve_end_names();
   for (int n = 0; n < 2; ++n)
     control.ends[n] = sleeve_end_of(options.choice(n == 0 ? "top_end" : "bottom_end", names,
@@ -114,9 +125,28 @@ SleeveControl read_sleeve_control(const Options& options, const SleeveControl& n
 
 void require_changeable(const Options& options)
 {
-  for (const char* fixed : {"cylinder", "edge", "file", "type", "platens", "modulus", "poisson",
-                            "thickness", "bending_thickness", "density", "modulus_axial",
-                            "shear_modulus", "tension_only", "mass_scaling", "safety", "every"})
+  for (const char* fixed : {"cylinder",
+                            "edge",
+                            "file",
+                            "type",
+                            "platens",
+                            "modulus",
+                            "poisson",
+                            "thickness",
+                            "bending_thickness",
+                            "density",
+                            "modulus_axial",
+                            "shear_modulus",
+                            "tension_only",
+                            "mass_scaling",
+                            "safety",
+                            "every",
+                            "strip",
+                            "strength",
+                            "after_strength",
+                            "fracture_energy",
+                            "seam",
+                            "seam_angle"})
     if (options.has(fixed))
       throw InputError("'" + std::string(fixed) + "' cannot be changed by 'fix_modify', found '" +
                        std::string(fixed) + " " + joined(options.all(fixed).front()) +

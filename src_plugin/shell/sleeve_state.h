@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/constants.h"
 #include "core/input_error.h"
 #include "shell/height_window.h"
 #include "shell/shell_model.h"
@@ -13,11 +14,13 @@ namespace encased_column {
 
 /// What an engineer wants to know of a sleeve; tension and stretch positive.
 struct SleeveSummary {
-  double area = 0.0;              ///< of the facets counted [m^2]
-  double hoop_tension = 0.0;      ///< mean over the area [N/m]
-  double hoop_tension_max = 0.0;  ///< [N/m]
-  double hoop_strain = 0.0;       ///< mean over the area [-]
-  double hoop_strain_max = 0.0;   ///< [-]
+  double area = 0.0;                     ///< of the facets counted [m^2]
+  double hoop_tension = 0.0;             ///< mean over the area [N/m]
+  double hoop_tension_max = 0.0;         ///< [N/m]
+  double hoop_strain = 0.0;              ///< mean over the area [-]
+  double hoop_strain_max = 0.0;          ///< [-]
+  double plastic_hoop_strain_max = 0.0;  ///< [-]
+  double damage_max = 0.0;               ///< of either direction, 1: torn [-]
 };
 
 /// Means over the facets whose centers lie in the window, and the largest values of any facet.
@@ -28,6 +31,9 @@ inline SleeveSummary summary_of(const ShellModel& model, const HeightWindow& win
     const FacetState state = model.facet_state(f);
     out.hoop_tension_max = std::max(out.hoop_tension_max, state.membrane_force(0));
     out.hoop_strain_max = std::max(out.hoop_strain_max, state.strain(0));
+    const FacetMemory memory = model.memory(f);
+    out.plastic_hoop_strain_max = std::max(out.plastic_hoop_strain_max, memory.plastic_strain[0]);
+    out.damage_max = std::max({out.damage_max, memory.damage[0], memory.damage[1]});
     const FacetVectors x = model.corners(f);
     const double z = (x[0].z() + x[1].z() + x[2].z()) / 3.0;
     if (z < window.low || z > window.high) continue;
@@ -55,6 +61,27 @@ inline std::string advice_for(long released, const std::string& otherwise)
          "pack them looser, write a larger 'thickness' or 'modulus' or longer facets";
 }
 
+/// The first of facets [first, last) that is torn through, as a sentence; `axis` is a point of the
+/// center line.
+inline std::optional<std::string> torn_facet(const ShellModel& model, int first, int last,
+                                             const Vec3& axis)
+{
+  if (!model.material().cloth().tears()) return {};
+  for (int f = first; f < last; ++f)
+    for (int i = 0; i < 2; ++i) {
+      if (model.memory(f).damage[i] < Cloth::torn) continue;
+      const FacetVectors x = model.corners(f);
+      const Vec3 center = (x[0] + x[1] + x[2]) / 3.0 - axis;
+      const double degrees = std::atan2(center.y(), center.x()) * 180.0 / pi;
+      return "facet " + std::to_string(f) + " of the sleeve is torn through" +
+             (i == 0 ? " by its hoop tension" : " by its axial tension") + " at height " +
+             in_words(center.z()) + " m and " + std::to_string(std::lround(degrees)) +
+             " degrees from x" + (model.strength_share(i, f) < 1.0 ? ", on the seam" : "") +
+             ": the test ends here, write 'when_torn go_on' to see what comes after";
+    }
+  return {};
+}
+
 /// What is wrong with one of facets [first, last), as a sentence; empty when all are sound. A facet
 /// is over-stretched when a principal strain exceeds `limit` [-], either way where the membrane
 /// bears compression.
@@ -68,6 +95,8 @@ inline std::optional<std::string> fault_of_facets(const ShellModel& model, int f
       return "facet " + std::to_string(f) +
              " of the sleeve has a position that is not a number, go back to the last restart file "
              "with a smaller step";
+    const FacetMemory memory = model.memory(f);
+    if (std::max(memory.damage[0], memory.damage[1]) >= Cloth::torn) continue;  // it opens freely
     const FacetState state = model.facet_state(f);
     // What wrinkles is not compressed: its strain is that of the plane it has left.
     const double pushed = model.material().constants().tension_only ? 0.0 : -state.smallest_strain;

@@ -30,10 +30,12 @@ class LateralBoundary {
   virtual double confining_stress() const = 0;
   /// Work [J] it has done on the specimen; of a sleeve: that was done on it from outside.
   virtual double work() const = 0;
-  /// Energy [J] a deformable side stores, moves with and has lost by damping; a rigid one has none.
+  /// Energy [J] a deformable side stores, moves with and has lost by damping and by yielding and
+  /// tearing; a rigid one has none.
   virtual double stored_energy() const { return 0.0; }
   virtual double kinetic_energy() const { return 0.0; }
   virtual double damping_loss() const { return 0.0; }
+  virtual double yielding_loss() const { return 0.0; }
   /// How many of `count` grains with `centers` in a row of triples [m] are not on the inner side
   /// between the two heights [m].
   virtual int count_outside(const double* centers, int count, double z_low,

@@ -203,6 +203,67 @@ TEST(Sleeve, RefusesHalfAnOrthotropicMaterial)
                    "neither");
 }
 
+TEST(Sleeve, RefusesAStripTableThatIsNone)
+{
+  const TemporaryFolder folder;
+  const auto expect_no_table = [&](const std::string& text, const std::string& sentence) {
+    const std::string path = folder.path() / "strip.csv";
+    std::ofstream(path) << text;
+    expect_no_sleeve(mesh + platens + material + " strip " + path, sentence);
+  };
+  const std::string header = "strain [-],hoop_tension [N/m],axial_tension [N/m]\n";
+  expect_no_sleeve(mesh + platens + material + " strip nowhere.csv",
+                   "'strip' must name a CSV file that can be read, found 'nowhere.csv'");
+  expect_no_table("strain,tension\n0,0\n",
+                  "must start with the line 'strain [-],hoop_tension "
+                  "[N/m],axial_tension [N/m]', found 'strain,tension'");
+  expect_no_table(header + "0,0,0\n0.02,2300\n", "must have 3 values, found 2");
+  expect_no_table(header + "0,0,0\n", "needs two rows or more, found 1");
+  expect_no_table(header + "0.01,0,0\n0.02,2300,2300\n",
+                  "must start at 0 strain and 0 hoop tension, found 0.01 and 0 N/m");
+  expect_no_table(
+      header + "0,0,0\n0.02,2300,2300\n0.02,2400,2400\n",
+      "must have strains that increase from row to row, found 0.02 after 0.02 in row 3");
+  expect_no_table(header + "0,0,0\n0.02,2300,-2300\n",
+                  "must have no negative tension, found -2300 N/m in the axial direction in row 2");
+  expect_no_table(header + "0,0,0\n0.02,3000,3000\n",
+                  "'modulus' times 'thickness' must be at least the steepest slope of the table of "
+                  "'strip', found 115000 N/m and 150000 N/m in the hoop direction");
+}
+
+TEST(Sleeve, RefusesAStrengthThatMeansNothing)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "strip.csv";
+  std::ofstream(path) << "strain [-],hoop_tension [N/m],axial_tension [N/m]\n0,0,0\n"
+                         "0.08,9200,9200\n";
+  const std::string sleeve = mesh + platens + material;
+  for (const std::string after : {"warn", "yield"})
+    expect_no_sleeve(sleeve + " strip " + path + " strength 6.5e3 9.2e3 after_strength " + after,
+                     "the 'strength' must not be below the last tension of the table of 'strip' "
+                     "unless the cloth tears there, found 6500 and 9200 N/m in the hoop direction");
+  expect_no_sleeve(sleeve + " strength 9.2e3 0",
+                   "'strength' must be larger than zero in both "
+                   "directions, found 0");
+  expect_no_sleeve(
+      sleeve + " after_strength yield",
+      "'after_strength' goes with 'strength', found 'after_strength yield' without it");
+  const std::string strong = sleeve + " strength 9.2e3 9.2e3";
+  for (const std::string energy : {"0", "-100"})
+    expect_no_sleeve(strong + " after_strength tear fracture_energy " + energy,
+                     "'fracture_energy' must be larger than zero, found " + energy);
+  expect_no_sleeve(
+      strong + " after_strength tear fracture_energy 5",
+      "facets of a cloth that tears must be narrower than 2 G_f J / N_u^2 = 0.013587 m "
+      "in the hoop direction, or they snap back, found 0.0");
+  for (const std::string seam : {"0", "-0.5", "1.2"})
+    expect_no_sleeve(strong + " seam " + seam,
+                     "'seam' must be larger than 0 and at most 1, found " + seam);
+  expect_no_sleeve(strong + " seam_angle 90", "'seam_angle' goes with 'seam'");
+  expect_no_sleeve(strong + "\nfix_modify side strength 1e3 1e3",
+                   "'strength' cannot be changed by 'fix_modify'");
+}
+
 TEST(Sleeve, RefusesATypeTheBoxDoesNotHave)
 {
   expect_no_sleeve(mesh + " type 3 platens top bottom" + material,

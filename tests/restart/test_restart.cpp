@@ -129,6 +129,34 @@ TEST(Restart, GoesOnWhileRadiiGrow)
   expect_the_same_run(folder.path(), "", 613, growth);
 }
 
+// Stopped between two looks at the stress, with friction that is lower than the deck says, and
+// where a look is due in the next step.
+TEST(Restart, GoesOnWhileFrictionGivesWayToTheGrowth)
+{
+  const std::string minded =
+      "fix grow all grow/radius from 0.5 stages 50 relax 50 stress 5e3 platens top bottom side "
+      "side\n";
+  for (const long stop : {4613L, 4600L}) {
+    const TemporaryFolder folder;
+    const std::string during = "restart " + std::to_string(stop) + " during.*\n";
+    const std::string last = "run " + std::to_string(stop + 487) + " upto\n" +
+                             "variable friction equal f_grow[3]\nprint \"friction ${friction}\"\n" +
+                             picture("grains");
+    const auto with_growth = [&](std::string deck) {
+      deck.replace(deck.find(growth), growth.size(), minded);
+      return unsorted(deck);
+    };
+    const Outcome whole = run_deck(with_growth(new_specimen(during + last)), 1, folder.path());
+    ASSERT_EQ(whole.exit_code, 0) << whole.output;
+    EXPECT_LT(whole.value("friction"), 0.8);
+    EXPECT_GT(whole.value("friction"), 0.1);
+    const std::string grains = read_text(folder.path() / "grains");
+    run_in(folder.path(), unsorted(specimen_of("during." + std::to_string(stop), minded + last)));
+    EXPECT_GT(grains.size(), 10000u);
+    EXPECT_EQ(read_text(folder.path() / "grains"), grains) << "from step " << stop;
+  }
+}
+
 TEST(Restart, GoesOnInTheRampOfAServo)
 {
   const TemporaryFolder folder;

@@ -96,7 +96,7 @@ TEST(SpecimenColumns, CountStrainsWorksAndLossesFromTheReference)
 }
 
 // Decks and readers know the columns by name and by place: those of a history that the program
-// wrote before they were a list.
+// wrote before they were a list, and new ones behind them.
 TEST(SpecimenColumns, KeepTheirNamesAndPlaces)
 {
   const std::string before =
@@ -109,7 +109,7 @@ TEST(SpecimenColumns, KeepTheirNamesAndPlaces)
       "inertial_number [-],work_platens [J],work_side [J],work_gravity [J],"
       "energy_elastic [J],energy_kinetic [J],loss_friction [J],loss_rolling [J],"
       "loss_dashpots [J],loss_damping [J],energy_error [-],core_axial_stress [Pa],"
-      "core_radial_stress [Pa]";
+      "core_radial_stress [Pa],loss_yielding [J]";
   std::string now;
   for (const std::string& heading : headings_of(specimen_columns()))
     now += (now.empty() ? "" : ",") + heading;

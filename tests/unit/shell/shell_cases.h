@@ -43,6 +43,13 @@ inline ShellConstants wrinkling_shell()
   return c;
 }
 
+inline ShellConstants wrinkling_orthotropic_shell()
+{
+  ShellConstants c = orthotropic_shell();
+  c.tension_only = true;
+  return c;
+}
+
 /// A distorted triangle that lies along no axis.
 inline FacetVectors skew_triangle()
 {

@@ -24,7 +24,9 @@ class ShellElementLaw : public testing::TestWithParam<LawCase> {};
 INSTANTIATE_TEST_SUITE_P(Laws, ShellElementLaw,
                          testing::Values(LawCase{"isotropic", isotropic_shell},
                                          LawCase{"orthotropic", orthotropic_shell},
-                                         LawCase{"tension_only", wrinkling_shell}),
+                                         LawCase{"tension_only", wrinkling_shell},
+                                         LawCase{"tension_only_orthotropic",
+                                                 wrinkling_orthotropic_shell}),
                          [](const auto& info) { return info.param.name; });
 
 double largest(const FacetVectors& v)

@@ -14,13 +14,15 @@ namespace {
 constexpr double tube_radius = 0.05, tube_height = 0.06, tube_modulus = 11.5e6,
                  tube_thickness = 0.01;
 
-Sleeve cloth(const NodalMassRule& rule = {})
+Sleeve cloth(const NodalMassRule& rule = {}, const ClothConstants& strength = {},
+             double poisson = 0.3)
 {
   ShellConstants c;
   c.modulus_hoop = tube_modulus;
-  c.poisson = 0.3;
+  c.poisson = poisson;
   c.thickness = tube_thickness;
   c.density = 30.0;
+  c.cloth = strength;
   return Sleeve(cylinder_mesh(TubeShape{tube_radius, 0.0, tube_height, 0.01}), c, rule);
 }
 
@@ -163,7 +165,7 @@ TEST(Sleeve, ReleasedFromAStateThatWasRigidIsAsTheOneThatWentOn)
   first.put_grain({0.042, 0.0, 0.03});
   second.put_grain({0.042, 0.0, 0.03});
   first.set_up();
-  restored.restore(went_on.state(went_on.pressure_work()));
+  restored.restore(went_on.state(went_on.pressure_work(), 0.0));
   for (Sleeve* sleeve : {&went_on, &restored}) sleeve->set_control(released, 0);
   for (Stepper* stepper : {&first, &second}) {
     stepper->set_up();
@@ -189,20 +191,20 @@ TEST(Sleeve, GoesOnFromItsStateBitByBit)
   second.put_grain({0.042, 0.0, 0.03});
   first.set_up();
   first.run(230);
-  restored.restore(whole.state(whole.pressure_work()));
+  restored.restore(whole.state(whole.pressure_work(), 0.0));
   second.set_up();
   EXPECT_EQ(second.push(), first.push());
   for (Stepper* stepper : {&first, &second}) stepper->run(170);
-  EXPECT_EQ(restored.state(restored.pressure_work()), whole.state(whole.pressure_work()));
+  EXPECT_EQ(restored.state(restored.pressure_work(), 0.0), whole.state(whole.pressure_work(), 0.0));
 }
 
 TEST(Sleeve, RefusesAStateThatIsCutOffOrOfAnotherMesh)
 {
   Sleeve sleeve = cloth();
-  std::vector<double> state = sleeve.state(0.0);
+  std::vector<double> state = sleeve.state(0.0, 0.0);
   state.pop_back();
   EXPECT_THROW(sleeve.restore(state), InputError);
-  state = sleeve.state(0.0);
+  state = sleeve.state(0.0, 0.0);
   state[0] += 1.0;
   EXPECT_THROW(sleeve.restore(state), InputError);
 }
@@ -226,12 +228,12 @@ TEST(Sleeve, SaysWhichGrainIsBehindWhichFacet)
   EXPECT_NE(sentence.find("of sleeve 'side' at step 4, load more slowly"), std::string::npos);
 }
 
-TEST(Sleeve, WarnsOnceOfAPlatenBeyondItsEndAndOfItsRupture)
+TEST(Sleeve, WarnsOnceOfAPlatenBeyondItsEndAndOfItsStrength)
 {
-  Sleeve sleeve = cloth();
-  SleeveControl control = with_ends(SleeveEnd::free, SleeveEnd::free);
-  control.rupture = 10.0;
-  sleeve.set_control(control, 0);
+  ClothConstants strength;
+  strength.strength = {10.0, 1e4};
+  Sleeve sleeve = cloth({}, strength);
+  sleeve.set_control(with_ends(SleeveEnd::free, SleeveEnd::free), 0);
   sleeve.set_pressure(-1e3, 1, 0);
   Stepper stepper(sleeve);
   stepper.set_up();
@@ -240,6 +242,43 @@ TEST(Sleeve, WarnsOnceOfAPlatenBeyondItsEndAndOfItsRupture)
   const auto first = sleeve.warnings(window, "side", {"top", "bottom"}, stepper.step());
   ASSERT_EQ(first.size(), 2u);
   EXPECT_EQ(first[0].find("platen 'top' stands 0.01"), 0u) << first[0];
-  EXPECT_NE(first[1].find("passes its 'rupture' of 10 N/m"), std::string::npos) << first[1];
+  EXPECT_EQ(first[1].find("the hoop tension of sleeve 'side' is 50"), 0u) << first[1];
+  EXPECT_NE(first[1].find("passes its 'strength' of 10 N/m"), std::string::npos) << first[1];
   EXPECT_TRUE(sleeve.warnings(window, "side", {"top", "bottom"}, stepper.step()).empty());
+}
+
+// It bears p = s N_u / (R0 (1 + e)) at e = s N_u / J, and its polygon cos(pi / 31) less.
+TEST(Sleeve, BurstsAtItsSeam)
+{
+  ClothConstants strength;
+  strength.strength = {9200.0, 9200.0};
+  strength.after = AfterStrength::tear;
+  strength.fracture_energy = 100.0;
+  strength.seam = 0.7;
+  strength.seam_angle = pi / 3.0;
+  Sleeve sleeve = cloth({}, strength, 0.0);
+  sleeve.set_control(with_ends(SleeveEnd::free, SleeveEnd::free), 0);
+  const double tension = 0.7 * 9200.0, e = tension / (tube_modulus * tube_thickness);
+  const double burst = tension / (tube_radius * (1.0 + e)) / std::cos(pi / 31.0);
+  sleeve.set_pressure(-0.99 * burst, 1000, 0);
+  Stepper stepper(sleeve);
+  stepper.set_up();
+  stepper.run(2000);
+  EXPECT_EQ(summary_of(sleeve.model(), HeightWindow()).damage_max, 0.0);
+  EXPECT_FALSE(sleeve.fault(stepper.step()));
+  sleeve.set_pressure(-1.01 * burst, 100, stepper.step());
+  for (int n = 0; n < 20 && !sleeve.fault(stepper.step()); ++n) stepper.run(100);
+  const auto fault = sleeve.fault(stepper.step());
+  ASSERT_TRUE(fault);
+  EXPECT_NE(fault->find("is torn through by its hoop tension at height"), std::string::npos)
+      << *fault;
+  EXPECT_NE(fault->find("on the seam: the test ends here"), std::string::npos) << *fault;
+  for (int f = 0; f < sleeve.model().facets(); ++f)
+    if (sleeve.model().memory(f).damage[0] > 0.0) {
+      const FacetVectors x = sleeve.model().corners(f);
+      const Vec3 center = (x[0] + x[1] + x[2]) / 3.0;
+      EXPECT_NEAR(std::atan2(center.y(), center.x()), pi / 3.0, pi / 31.0);
+      EXPECT_LT(sleeve.model().strength_share(0, f), 1.0);
+    }
+  EXPECT_GT(sleeve.dissipated(), 0.0);
 }
