@@ -1,21 +1,17 @@
 #include "report_command.h"
 
 #include "core/input_error.h"
-#include "drawing/column_figures.h"
 #include "drawing/display.h"
-#include "drawing/load_figures.h"
-#include "drawing/run_figures.h"
-#include "drawing/run_pictures.h"
+#include "drawing/figures.h"
+#include "drawing/pictures.h"
 #include "drawing/scene.h"
-#include "drawing/sleeve_figures.h"
-#include "drawing/triaxial_figures.h"
-#include "report/case_page.h"
-#include "report/series_page.h"
+#include "report/pages.h"
 #include "tables/check_table.h"
 #include "tables/result_table.h"
 #include "tables/theory_table.h"
 
 #include <vtkObject.h>
+
 #include <CLI/CLI.hpp>
 
 #include <filesystem>

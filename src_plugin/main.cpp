@@ -1,4 +1,4 @@
-#include "host/stop_request.h"
+#include "host/fix_stop_request.h"
 #include "plugin_entry.h"
 #include "style_table.h"
 

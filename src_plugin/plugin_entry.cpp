@@ -1,13 +1,14 @@
 #include "plugin_entry.h"
 
-#include "contact/coincident_grains.h"
+#include "contact/grain_grid.h"
 #include "core/input_error.h"
 #include "files/restart_file.h"
+#include "host/contact_history.h"
 #include "host/contact_law.h"
 #include "host/fix_stop_request.h"
-#include "host/one_rank_errors.h"
+#include "host/messages.h"
 #include "host/output_files.h"
-#include "host/renumber_grains.h"
+#include "host/reveal.h"
 #include "shell/refuse_as_mesh.h"
 #include "style_table.h"
 
@@ -23,15 +24,7 @@
 
 namespace encased_column {
 
-namespace {
-
-// The maps of styles and the word of a command are private in the host. Explicit instantiation may
-// name private members, so these three reach them without a change to the host.
-template <typename Tag, typename Tag::type member>
-struct Reveal {
-  friend typename Tag::type reveal(Tag) { return member; }
-};
-
+// The maps of styles and the word of a command are private in the host.
 struct FixMap {
   using type = std::map<std::string, FixCreator>* LAMMPS_NS::Modify::*;
   friend type reveal(FixMap);
@@ -49,6 +42,8 @@ struct CommandWord {
   friend type reveal(CommandWord);
 };
 template struct Reveal<CommandWord, &LAMMPS_NS::Input::command>;
+
+namespace {
 
 std::map<std::string, CommandCreator>& commands_of(LAMMPS_NS::LAMMPS* lmp)
 {
@@ -103,8 +98,8 @@ void check_places(LAMMPS_NS::LAMMPS* lmp)
                       .c_str());
 }
 
-/// Ends the run where a fix of ours would take another contact law for its own, or grains that have
-/// no contact for touching.
+/// Ends the run where a fix of ours would read contacts of another law than the linear one, or
+/// where two grains stand at one place.
 void check_contacts(LAMMPS_NS::LAMMPS* lmp)
 {
   bool are_read = false;
@@ -151,7 +146,7 @@ bool is_one_of(const std::string& word, std::initializer_list<const char*> words
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Stands for every command: sees to what must hold before it, then lets it run.
+/// Runs in place of every command: checks what must hold before it, then runs it.
 void run_command(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 {
   const std::string word = lmp->input->*reveal(CommandWord());
@@ -195,7 +190,7 @@ void register_styles(LAMMPS_NS::LAMMPS* lmp)
 }  // namespace encased_column
 
 // No map holds the styles of dumps. The host calls this function by its exported name, and the one
-// of the library that is linked first is called: ours looks at the words and hands on.
+// of the library that is linked first is called: ours checks the words and calls the host's.
 void LAMMPS_NS::Output::add_dump(int narg, char** arg)
 {
   using AddDump = void (*)(Output*, int, char**);

@@ -2,7 +2,7 @@
 
 #include "core/keyword_table.h"
 #include "files/column.h"
-#include "host/creators.h"
+#include "host/host_types.h"
 
 #include <string>
 #include <type_traits>
@@ -18,7 +18,7 @@ struct Maker {
   const KeywordTable* keywords = nullptr;  ///< none: a style of the host, with the host's words
   std::vector<TableText> (*tables)() = nullptr;  ///< that it writes; null where it writes none
   bool (*made)(const LAMMPS_NS::Fix& fix) = nullptr;
-  /// Where a style of the host goes that this one takes the place of, if it is wanted.
+  /// Where the host's creator of a style that this one replaces is kept, if it is needed.
   FixCreator* host = nullptr;
 };
 
@@ -26,7 +26,7 @@ struct Maker {
 struct Style {
   std::string name;
   Maker maker;
-  /// Takes contacts of pairs and walls for those of the linear law: refused with another.
+  /// Reads contacts of pairs and walls as those of the linear law: refused with any other law.
   bool reads_contact_law = false;
 };
 

@@ -1,10 +1,9 @@
 #include "runner/case_folder.h"
 
 #include "core/input_error.h"
-#include "files/restart_seal.h"
+#include "files/restart_file.h"
 #include "runner/case_variables.h"
 #include "runner/text_file.h"
-#include "runner/used_variables.h"
 
 #include <algorithm>
 #include <ctime>

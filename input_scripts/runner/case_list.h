@@ -1,7 +1,7 @@
 #pragma once
 
 #include "runner/case_folder.h"
-#include "runner/deck_catalogue.h"
+#include "runner/deck.h"
 #include "runner/run_options.h"
 #include "runner/series.h"
 

@@ -1,6 +1,6 @@
 #include "runner/case_process.h"
 
-#include "runner/child_process.h"
+#include "runner/processes.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

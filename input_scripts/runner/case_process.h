@@ -1,7 +1,7 @@
 #pragma once
 
 #include "runner/case_folder.h"
-#include "runner/descendants.h"
+#include "runner/processes.h"
 
 #include <sys/types.h>
 

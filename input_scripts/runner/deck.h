@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,22 @@ struct Deck {
 /// Reads `file` and what it includes. Throws InputError for a file that cannot be read.
 Deck read_deck(const std::string& name, const std::filesystem::path& file,
                const std::filesystem::path& common);
+
+/// Our decks by their names, and others by their paths; each is read once.
+class DeckCatalogue {
+ public:
+  /// `inputs` holds common/ and a folder NAME with NAME.lmp for each of our decks.
+  explicit DeckCatalogue(std::filesystem::path inputs) : inputs_(std::move(inputs)) {}
+
+  std::vector<std::string> names() const;  ///< of our decks, sorted
+  /// The deck called `name`, or the one in the file `name`, a path from `folder`. Throws
+  /// InputError, with `where` as the place, if there is neither.
+  const Deck& find(const std::string& name, const std::filesystem::path& folder,
+                   const std::string& where);
+
+ private:
+  std::filesystem::path inputs_;
+  std::map<std::filesystem::path, Deck> decks_;
+};
 
 }  // namespace encased_column

@@ -1,8 +1,14 @@
 #include "runner/places.h"
 
 #include "core/input_error.h"
+#include "runner/processes.h"
 
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include <sys/utsname.h>
 
 namespace encased_column {
 
@@ -24,6 +30,24 @@ Places find_places()
                      std::string("folder, found no '") + (places.inputs / "series.csv").string() +
                      "', move both together or build it again");
   return places;
+}
+
+std::string versions_text(const std::string& of_project, int cores, int ranks,
+                          const std::string& packages_file)
+{
+  utsname machine{};
+  uname(&machine);
+  std::string text = "encased columns " + of_project + "\ncores " + std::to_string(cores) +
+                     ", ranks " + std::to_string(ranks) + ", " + machine.sysname + " " +
+                     machine.release + " " + machine.machine + "\n";
+  std::vector<std::string> query{"dpkg-query", "-W", "-f", "${Package} ${Version}\n"};
+  std::ifstream packages(packages_file);
+  for (std::string line; std::getline(packages, line);) {
+    std::istringstream words(line);
+    std::string name;
+    if (words >> name && name.front() != '#') query.push_back(name);
+  }
+  return text + (query.size() > 4 ? output_of(query) : "");
 }
 
 }  // namespace encased_column

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace encased_column {
 
@@ -15,5 +16,9 @@ struct Places {
 
 /// Throws InputError when the decks are nowhere.
 Places find_places();
+
+/// "encased columns 0.1", the machine, and the packages in it: one a line.
+std::string versions_text(const std::string& of_project, int cores, int ranks,
+                          const std::string& packages_file);
 
 }  // namespace encased_column

@@ -100,4 +100,23 @@ std::string progress_line(const std::vector<RunningCase>& running, int ended, in
   return line;
 }
 
+std::string stopped_line(const Left& left)
+{
+  std::string line = "Stopped";
+  if (!left.resumable.empty()) {
+    line += "; --resume goes on with";
+    for (std::size_t n = 0; n < left.resumable.size(); ++n)
+      line += (n ? ", " : " ") + left.resumable[n].first + " from stage " +
+              std::to_string(left.resumable[n].second);
+  }
+  if (!left.begin_again.empty()) {
+    line += left.resumable.empty() ? "; --resume begins again with" : ", and begins again with";
+    for (std::size_t n = 0; n < left.begin_again.size(); ++n)
+      line += (n ? ", " : " ") + left.begin_again[n];
+  }
+  if (left.resumable.empty() && left.begin_again.empty() && left.tables_missing)
+    line += "; all cases have ended, --resume makes their tables";
+  return line;
+}
+
 }  // namespace encased_column

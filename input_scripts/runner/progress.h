@@ -36,4 +36,14 @@ struct RunningCase {
 std::string progress_line(const std::vector<RunningCase>& running, int ended, int all,
                           double seconds, double brought);
 
+/// What is left where a signal has ended the whole.
+struct Left {
+  std::vector<std::pair<std::string, int>> resumable;  ///< case and the stage it goes on from
+  std::vector<std::string> begin_again;                ///< cases without a restart file
+  bool tables_missing = false;  ///< all cases have ended, their tables are not made
+};
+
+/// The last line after a signal: what --resume goes on with, and nothing else.
+std::string stopped_line(const Left& left);
+
 }  // namespace encased_column

@@ -3,7 +3,7 @@
 #include "runner/case_folder.h"
 #include "runner/case_process.h"
 #include "runner/places.h"
-#include "runner/schedule.h"
+#include "runner/run_options.h"
 #include "runner/stop_signals.h"
 
 #include <memory>

@@ -1,15 +1,16 @@
 #include "runner/run_command.h"
 
 #include "core/input_error.h"
-#include "runner/announce.h"
 #include "runner/case_list.h"
 #include "runner/case_variables.h"
-#include "runner/child_process.h"
+#include "runner/processes.h"
+#include "runner/progress.h"
 #include "runner/run_cases.h"
 #include "runner/text_file.h"
 
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <iostream>
 #include <thread>
@@ -36,12 +37,17 @@ void make_folder(const fs::path& folder)
                      "', free it or choose another --name or --out");
 }
 
-/// The lock of the case's folder, which nobody else may run in.
-FolderLock lock_of(const CaseFolder& folder, const Places& places)
+/// The lock of the case's folder, in which nothing else may run; a process that is about to end gets
+/// `seconds` for it.
+FolderLock lock_of(const CaseFolder& folder, const Places& places, double seconds)
 {
   FolderLock lock;
-  const bool free = lock.take(folder.path() / ".lock", 2.0);
-  const pid_t pid = process_in(folder.path(), places.host);
+  const bool free = lock.take(folder.path() / ".lock", seconds);
+  pid_t pid = process_in(folder.path(), places.host);
+  for (double waited = 0.0; free && pid && waited < seconds; waited += 0.1) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    pid = process_in(folder.path(), places.host);
+  }
   if (free && !pid) return lock;
   throw InputError("case '" + folder.id() + "' must not run twice in '" + shown(folder.path()) +
                    "', found it still running" + (pid ? " as process " + std::to_string(pid) : "") +
@@ -79,7 +85,8 @@ std::vector<Todo> decide_all(const std::vector<CasePlan>& plans, const fs::path&
   for (const CasePlan& plan : plans) {
     CaseFolder folder(series / plan.row.id, plan);
     make_folder(folder.path());
-    FolderLock lock = lock_of(folder, places);
+    // After SIGKILL of a command its cases stop by themselves: two ranks take some seconds.
+    FolderLock lock = lock_of(folder, places, options.resume ? 10.0 : 2.0);
     const Decision decision =
         decide(folder.id(), shown(series), folder.state(), {options.keep, options.resume});
     if (decision.action == Action::refuse) throw InputError(decision.sentence);

@@ -2,6 +2,8 @@
 
 #include "core/input_error.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 namespace encased_column {
@@ -82,6 +84,23 @@ void add_run_options(CLI::App& command, RunOptions& options)
   command.footer(
       "Ctrl-C stops cleanly: running cases write a restart file first; once more, and they are "
       "killed.\nKilled cases have a restart file too, by default from every 5000 steps.");
+}
+
+Schedule best_schedule(int cases, int cores, int ranks, int jobs)
+{
+  constexpr double speed[] = {1.0, 1.85, 2.6, 3.3};
+  if (ranks == 0) {
+    double shortest = 0.0;
+    for (int r = 1; r <= 4 && r <= std::max(cores, 1); ++r) {
+      const int at_once = std::max(cores / r, 1);
+      const double time = (cases + at_once - 1) / at_once / speed[r - 1];
+      if (r > 1 && time >= shortest) continue;
+      shortest = time;
+      ranks = r;
+    }
+  }
+  if (jobs == 0) jobs = std::max(cores / ranks, 1);
+  return {ranks, jobs};
 }
 
 }  // namespace encased_column

@@ -1,7 +1,6 @@
 #include "runner/series.h"
 
 #include "core/input_error.h"
-#include "runner/csv_rows.h"
 #include "runner/text_file.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runner/setting.h"
+#include "runner/case_record.h"
 
 #include <filesystem>
 #include <string>

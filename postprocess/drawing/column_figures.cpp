@@ -1,4 +1,4 @@
-#include "drawing/column_figures.h"
+#include "drawing/figures.h"
 
 #include "core/input_error.h"
 #include "drawing/labels.h"

@@ -147,7 +147,7 @@ void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place, 
 }
 
 /// An empty view of that size, the same one each time: a new window costs more than a chart, as its
-/// shaders are compiled anew.
+/// shaders are compiled again.
 vtkContextView* empty_view(int view_width, int view_height)
 {
   static vtkNew<vtkContextView> view;

@@ -1,4 +1,4 @@
-#include "drawing/force_chains_picture.h"
+#include "drawing/pictures.h"
 
 #include "drawing/contact_bars.h"
 #include "drawing/grain_spheres.h"

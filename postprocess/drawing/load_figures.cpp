@@ -1,4 +1,4 @@
-#include "drawing/load_figures.h"
+#include "drawing/figures.h"
 
 #include "drawing/labels.h"
 #include "files/column_names.h"

@@ -1,4 +1,4 @@
-#include "drawing/run_figures.h"
+#include "drawing/figures.h"
 
 #include "drawing/labels.h"
 #include "files/column_names.h"

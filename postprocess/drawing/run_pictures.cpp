@@ -1,10 +1,6 @@
-#include "drawing/run_pictures.h"
+#include "drawing/pictures.h"
 
-#include "drawing/force_chains_picture.h"
-#include "drawing/shear_band_picture.h"
-#include "drawing/sleeve_picture.h"
-#include "drawing/specimen_picture.h"
-#include "reading/grain_file.h"
+#include "reading/frame_files.h"
 
 #include <iostream>
 #include <string>

@@ -1,4 +1,4 @@
-#include "drawing/shear_band_picture.h"
+#include "drawing/pictures.h"
 
 #include "drawing/grain_spheres.h"
 #include "drawing/scene.h"

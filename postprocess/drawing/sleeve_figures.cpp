@@ -1,9 +1,9 @@
-#include "drawing/sleeve_figures.h"
+#include "drawing/figures.h"
 
 #include "drawing/labels.h"
 #include "files/column_names.h"
-#include "tables/sleeve_theory.h"
 #include "tables/text_layout.h"
+#include "tables/theory_table.h"
 
 namespace encased_column {
 

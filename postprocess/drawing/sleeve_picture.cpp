@@ -1,4 +1,4 @@
-#include "drawing/sleeve_picture.h"
+#include "drawing/pictures.h"
 
 #include "core/input_error.h"
 #include "drawing/grain_spheres.h"

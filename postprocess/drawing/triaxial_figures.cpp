@@ -1,4 +1,4 @@
-#include "drawing/triaxial_figures.h"
+#include "drawing/figures.h"
 
 #include "core/constants.h"
 #include "drawing/labels.h"

@@ -1,7 +1,6 @@
 #include "reading/case_run.h"
 
 #include "core/input_error.h"
-#include "core/read_number.h"
 #include "runner/case_record.h"
 
 #include <algorithm>

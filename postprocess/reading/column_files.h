@@ -1,9 +1,11 @@
 #pragma once
 
-#include "analysis/contact_forces.h"
-#include "analysis/measuring_spheres.h"
+#include "analysis/inside_specimen.h"
+#include "analysis/sleeve_record.h"
 #include "reading/case_run.h"
 
+#include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace encased_column {
@@ -15,5 +17,12 @@ std::vector<SphereSeries> read_spheres(const CaseRun& run);
 
 /// Reads contacts.csv in the same way, with the force levels it has; none if the run wrote none.
 std::vector<ContactSample> read_contacts(const CaseRun& run);
+
+/// Reads `folder`/sleeve.csv; nothing if the run wrote none, as plain ones do not. Throws
+/// InputError if a column is missing or holds a word that is no number.
+std::optional<SleeveRecord> read_sleeve_record(const std::filesystem::path& folder);
+
+/// Reads `folder`/profile.csv in the same way; none if the run wrote none.
+std::vector<SleeveProfile> read_sleeve_profiles(const std::filesystem::path& folder);
 
 }  // namespace encased_column

@@ -2,9 +2,15 @@
 
 #include "core/input_error.h"
 
+#include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStaticCellLocator.h>
 #include <vtkXMLDataElement.h>
+#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUtilities.h>
+
+#include <string>
 
 namespace encased_column {
 
@@ -34,6 +40,64 @@ std::map<double, fs::path> frame_files(const fs::path& collection)
   }
   if (files.empty()) refuse_collection(collection, "no file in it");
   return files;
+}
+
+namespace fs = std::filesystem;
+
+std::optional<GrainFile> last_grain_file(const fs::path& folder)
+{
+  const fs::path collection = folder / "grains" / "grains.pvd";
+  if (!fs::exists(collection)) return std::nullopt;
+  const auto [time, file] = *frame_files(collection).rbegin();
+  vtkNew<vtkXMLPolyDataReader> reader;
+  if (!fs::exists(file) || !reader->CanReadFile(file.c_str()))
+    refuse_collection(collection, "'" + file.string() + "', which cannot be read");
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
+    refuse_collection(collection, "'" + file.string() + "', which holds no grain or was cut off");
+  GrainFile last{file, time, static_cast<long>(reader->GetOutput()->GetNumberOfPoints()), {}};
+  last.centers.resize(static_cast<std::size_t>(last.grains));
+  for (long i = 0; i < last.grains; ++i)
+    reader->GetOutput()->GetPoint(i, last.centers[static_cast<std::size_t>(i)].data());
+  return last;
+}
+
+std::optional<FrameWithGrains> last_frame_with_grains(const fs::path& folder,
+                                                      const std::string& series)
+{
+  const fs::path others = folder / series / (series + ".pvd");
+  const fs::path grains = folder / "grains" / "grains.pvd";
+  if (!fs::exists(others) || !fs::exists(grains)) return std::nullopt;
+  const auto other_at = frame_files(others), grains_at = frame_files(grains);
+  for (auto frame = other_at.rbegin(); frame != other_at.rend(); ++frame) {
+    const auto same = grains_at.find(frame->first);
+    if (same != grains_at.end() && fs::exists(frame->second) && fs::exists(same->second))
+      return FrameWithGrains{frame->second, same->second};
+  }
+  return std::nullopt;
+}
+
+long count_beyond_sleeve(const std::vector<std::array<double, 3>>& centers,
+                         const std::filesystem::path& file)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPolys() == 0)
+    throw InputError("'" + file.string() + "' must hold the facets of a sleeve, found none, " +
+                     "run the case again or remove its folder sleeve");
+  vtkNew<vtkStaticCellLocator> facets;
+  facets->SetDataSet(reader->GetOutput());
+  facets->BuildLocator();
+  long beyond = 0;
+  for (const std::array<double, 3>& center : centers) {
+    const double axis[3] = {0.0, 0.0, center[2]};
+    double way = 0.0, where[3], in_facet[3];
+    int part = 0;
+    beyond += facets->IntersectWithLine(axis, center.data(), 0.0, way, where, in_facet, part) != 0;
+  }
+  return beyond;
 }
 
 }  // namespace encased_column

@@ -2,7 +2,6 @@
 
 #include "core/constants.h"
 #include "core/input_error.h"
-#include "core/read_number.h"
 
 namespace encased_column {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analysis/mohr_coulomb.h"
-#include "analysis/sleeve_checks.h"
+#include "analysis/sleeve_record.h"
+#include "analysis/strength.h"
 #include "reading/text_table.h"
 
 #include <filesystem>

@@ -1,7 +1,6 @@
 #include "reading/text_table.h"
 
 #include "core/input_error.h"
-#include "core/read_number.h"
 
 #include <vtkDelimitedTextReader.h>
 #include <vtkNew.h>

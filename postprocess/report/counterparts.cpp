@@ -1,4 +1,4 @@
-#include "report/counterparts.h"
+#include "report/page_parts.h"
 
 #include <algorithm>
 

@@ -2,12 +2,15 @@
 
 #include "drawing/figure.h"
 #include "drawing/picture_data.h"
+#include "reading/case_run.h"
+#include "tables/evaluation.h"
 #include "tables/text_layout.h"
 
-#include <kainjow/mustache.hpp>
-
+#include <filesystem>
 #include <string>
 #include <vector>
+
+#include <kainjow/mustache.hpp>
 
 namespace encased_column {
 
@@ -40,5 +43,14 @@ PageData list_of(const std::string& name, const std::vector<std::string>& texts)
 /// `page`, a template of page_templates, filled with `data` and the parts it names. Throws
 /// std::logic_error if the template is malformed.
 std::string filled(const char* page, PageData data);
+
+/// The 3-D pictures of `run` that are in `folder`, made smaller to be `width` [px] wide at most.
+std::vector<Picture> pictures_of(const CaseRun& run, const std::filesystem::path& folder,
+                                 int width);
+
+/// Each figure of the study's results and which of `figures` and `pictures` of the run `test`
+/// stand beside it, or why none does; below a row of headings.
+Rows counterpart_rows(const TestResult& test, const std::vector<Figure>& figures,
+                      const std::vector<Picture>& pictures);
 
 }  // namespace encased_column

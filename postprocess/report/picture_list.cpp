@@ -1,4 +1,4 @@
-#include "report/picture_list.h"
+#include "report/page_parts.h"
 
 namespace encased_column {
 

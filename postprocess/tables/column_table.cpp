@@ -1,4 +1,4 @@
-#include "tables/column_table.h"
+#include "tables/page_tables.h"
 
 namespace encased_column {
 

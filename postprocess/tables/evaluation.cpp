@@ -1,11 +1,10 @@
 #include "tables/evaluation.h"
 
-#include "analysis/grain_weight.h"
+#include "analysis/run_checks.h"
 #include "core/input_error.h"
 #include "files/column_names.h"
 #include "reading/column_files.h"
-#include "reading/grain_file.h"
-#include "reading/sleeve_files.h"
+#include "reading/frame_files.h"
 #include "tables/outside_check.h"
 
 namespace encased_column {

@@ -1,11 +1,8 @@
 #pragma once
 
-#include "analysis/contact_forces.h"
-#include "analysis/measuring_spheres.h"
-#include "analysis/mohr_coulomb.h"
-#include "analysis/peak_strength.h"
-#include "analysis/sleeve_checks.h"
-#include "analysis/sleeve_profile.h"
+#include "analysis/inside_specimen.h"
+#include "analysis/sleeve_record.h"
+#include "analysis/strength.h"
 #include "reading/case_run.h"
 
 #include <optional>

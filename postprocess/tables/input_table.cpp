@@ -1,7 +1,6 @@
-#include "tables/input_table.h"
+#include "tables/page_tables.h"
 
 #include "core/input_error.h"
-#include "core/read_number.h"
 #include "reading/deck_inputs.h"
 
 #include <cmath>

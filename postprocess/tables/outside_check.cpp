@@ -1,9 +1,8 @@
 #include "tables/outside_check.h"
 
-#include "analysis/outside_walls.h"
+#include "analysis/run_checks.h"
 #include "files/column_names.h"
 #include "reading/frame_files.h"
-#include "reading/sleeve_surface.h"
 
 #include <algorithm>
 #include <array>

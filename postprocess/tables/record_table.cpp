@@ -1,4 +1,4 @@
-#include "tables/record_table.h"
+#include "tables/page_tables.h"
 
 #include "core/input_error.h"
 #include "files/column_names.h"

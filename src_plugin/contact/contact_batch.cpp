@@ -57,7 +57,7 @@ template <bool dashpots, bool advance>
       if (advance) dashpot_loss += share_[n] * (pressing - elastic_normal) * closing * dt;
     }
 
-    const double old = seen_[n] < step - 1.0 ? 0.0 : 1.0;  // one that was not there starts anew
+    const double old = seen_[n] < step - 1.0 ? 0.0 : 1.0;  // a new contact starts from zero
     double sx = old * spring_[0][n], sy = old * spring_[1][n], sz = old * spring_[2][n];
 
     if (advance) {

@@ -7,8 +7,8 @@ namespace encased_column {
 /// Contacts side by side, so that the vector units of the machine see to several at once: as
 /// resolve_contact(), for contacts without rolling resistance.
 ///
-/// add() takes contacts in, resolve() finds forces and moves the springs on, and whoever filled the
-/// batch reads the results, keep()s what the contacts remember and starts anew with clear().
+/// add() takes contacts in, resolve() finds forces and moves the springs on; the caller then reads
+/// the results, keep()s what the contacts remember and empties the batch with clear().
 class ContactBatch {
  public:
   static constexpr int size = 32;

@@ -1,6 +1,7 @@
 #include "contact/contact_context.h"
 
-#include "host/pair_property.h"
+#include "host/contact_law.h"
+#include "host/find_fix.h"
 
 #include <optional>
 
@@ -28,6 +29,11 @@ void ContactContext::open(bool rolling)
   for (const ContactMaterial& m : materials_)
     if (m.damping_normal > 0.0 || m.damping_shear > 0.0) has_dashpots_ = true;
 
+  friction_of_deck_.clear();
+  for (const ContactMaterial& m : materials_) friction_of_deck_.push_back(m.friction);
+  friction_factor_ = 1.0;
+  friction_factors_ = fixes_that_are<FrictionFactorOwner>(lmp_);
+
   const auto movers = fixes_that_are<MassScalingOwner>(lmp_);
   mass_scaling_ = movers.empty() ? nullptr : &movers.front()->mass_scaling;
   observers_ = fixes_that_are<ContactObserver>(lmp_);
@@ -36,12 +42,24 @@ void ContactContext::open(bool rolling)
   asked_step_ = -1;
 }
 
-void ContactContext::ask_probes_anew()
+void ContactContext::ask_all_observers()
 {
   asked_step_ = lmp_->update->ntimestep;
   active_.clear();
   for (ContactObserver* observer : observers_)
     if (observer->wants_contacts(asked_step_)) active_.push_back(observer);
+  lower_friction();
+}
+
+// Friction that a packing needs changes at few steps: the others cost a comparison.
+void ContactContext::lower_friction()
+{
+  double factor = 1.0;
+  for (const FrictionFactorOwner* owner : friction_factors_) factor *= owner->friction_factor;
+  if (factor == friction_factor_) return;
+  friction_factor_ = factor;
+  for (std::size_t n = 0; n < materials_.size(); ++n)
+    materials_[n].friction = factor * friction_of_deck_[n];
 }
 
 void ContactContext::tell_observers(int i, int j, double share, const Touch& touch,

@@ -3,32 +3,34 @@
 #include "contact/rolling_batch.h"
 #include "dynamics/mass_scaling.h"
 #include "host/contact_observer.h"
+#include "host/friction_factor.h"
 
 #include <type_traits>
 #include <vector>
 
 namespace encased_column {
 
-/// What pairs and walls share around the contact law: the materials the deck gave, the probes that
-/// listen, and the account of losses. One for each pair style, wall model and rigid wall. Contacts
-/// are resolved in batches or one by one, not by turns, since
-/// sums of forces in another order would not repeat a step to the last bit.
+/// What pairs and walls share around the contact law: the materials the deck gave, the observers of
+/// contacts, and the account of losses. One for each pair style, wall model and rigid wall.
+/// Contacts are resolved in batches or one by one, not by turns, since sums of forces in another
+/// order would not repeat a step to the last bit.
 class ContactContext {
  public:
-  /// `walls` is what contacts without a second grain are with.
+  /// `walls` says what stands where a contact has no second grain: a wall or a sleeve.
   explicit ContactContext(LAMMPS_NS::LAMMPS* lmp, ContactKind walls = ContactKind::wall)
       : lmp_(lmp),
         walls_(walls)
   {
   }
 
-  /// At the start of a run: reads materials, finds probes and the account. Throws InputError.
+  /// At the start of a run: reads materials, finds observers and the account, and what lowers the
+  /// friction. Throws InputError.
   void open(bool rolling);
 
   /// At the start of a force computation (cheap when asked again in the same step).
-  void ask_probes()
+  void ask_observers()
   {
-    if (asked_step_ != lmp_->update->ntimestep) ask_probes_anew();
+    if (asked_step_ != lmp_->update->ntimestep) ask_all_observers();
   }
 
   const ContactMaterial& material(int type_i, int type_j) const
@@ -36,10 +38,10 @@ class ContactContext {
     return materials_[type_i * stride_ + type_j];
   }
 
-  /// False where no pair of types has a dashpot: nobody then needs the effective mass.
+  /// False where no pair of types has a dashpot: the effective mass is not needed then.
   bool has_dashpots() const { return has_dashpots_; }
 
-  /// Resolves the contacts of a batch, books their losses and tells the probes.
+  /// Resolves the contacts of a batch, books their losses and tells the observers.
   template <typename Batch>
   void resolve(Batch& batch, bool advance)
   {
@@ -53,7 +55,7 @@ class ContactContext {
     batch.keep(step);
   }
 
-  /// Books the losses and tells the probes; `share` as in Contact, j = -1 for a wall.
+  /// Books the losses and tells the observers; `share` as in Contact, j = -1 for a wall.
   void book(int i, int j, double share, bool advance, const Touch& touch,
             const ContactAction& action)
   {
@@ -65,7 +67,7 @@ class ContactContext {
     if (!active_.empty()) tell_observers(i, j, share, touch, action);
   }
 
-  /// Grain i touches a wall: its inertia must bear the contact's springs from this step on.
+  /// Grain i touches a wall: its mass must allow for the contact's springs from this step on.
   void raise_mass_for_contact(int i, const ContactStiffness& k)
   {
     if (mass_scaling_) mass_scaling_->raise_mass_for_contact(i, k.normal, k.shear);
@@ -73,7 +75,8 @@ class ContactContext {
 
  private:
   ContactKind kind_of(int j) const { return j < 0 ? walls_ : ContactKind::grain; }
-  void ask_probes_anew();
+  void ask_all_observers();
+  void lower_friction();
   void tell_observers(int i, int j, double share, const Touch& touch, const ContactAction& action);
   template <typename Batch>
   void tell_observers(const Batch& batch);
@@ -83,6 +86,9 @@ class ContactContext {
   int stride_ = 0;
   bool has_dashpots_ = false;
   std::vector<ContactMaterial> materials_;
+  std::vector<double> friction_of_deck_;  ///< of the materials [-]
+  std::vector<FrictionFactorOwner*> friction_factors_;
+  double friction_factor_ = 1.0;  ///< that the materials have
   MassScaling* mass_scaling_ = nullptr;
   std::vector<ContactObserver*> observers_, active_;
   ContactLosses no_account_;

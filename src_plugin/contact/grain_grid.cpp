@@ -1,7 +1,9 @@
 #include "contact/grain_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace encased_column {
 
@@ -20,28 +22,19 @@ void GrainGrid::Level::lay_grid(const std::vector<Sphere>& spheres, double fines
     low = low.cwiseMin(as_vec3(sphere.center));
     high = high.cwiseMax(as_vec3(sphere.center));
   }
-  corner = low;
-  size = finest_size;
-  cells[0] = cells[1] = cells[2] = 1;
-  if (!(high - low).allFinite()) return;  // a run that blew up is stopped by those who watch it
-  const long most = std::max(cells_at_least, cells_per_sphere * static_cast<long>(spheres.size()));
-  for (size = finest_size;; size *= 1.26) {  // twice the volume of a cube
-    double wanted = 1.0;
-    for (int a = 0; a < 3; ++a) wanted *= std::floor((high(a) - low(a)) / size) + 1.0;
-    if (wanted <= static_cast<double>(most)) break;
+  double size = finest_size;
+  int cells[3] = {1, 1, 1};
+  if ((high - low).allFinite()) {  // other checks stop a run that blew up
+    const long most =
+        std::max(cells_at_least, cells_per_sphere * static_cast<long>(spheres.size()));
+    for (;; size *= 1.26) {  // twice the volume of a cube
+      double wanted = 1.0;
+      for (int a = 0; a < 3; ++a) wanted *= std::floor((high(a) - low(a)) / size) + 1.0;
+      if (wanted <= static_cast<double>(most)) break;
+    }
+    for (int a = 0; a < 3; ++a) cells[a] = static_cast<int>((high(a) - low(a)) / size) + 1;
   }
-  for (int a = 0; a < 3; ++a) cells[a] = static_cast<int>((high(a) - low(a)) / size) + 1;
-}
-
-void GrainGrid::Level::sort(const std::vector<Sphere>& spheres)
-{
-  begin.assign(static_cast<std::size_t>(cells[0]) * cells[1] * cells[2] + 2, 0);
-  // Counted two places on, begin[c + 1] runs from the first to the end of cube c while it is
-  // filled.
-  for (const Sphere& sphere : spheres) ++begin[cell_of(sphere) + 2];
-  for (std::size_t c = 2; c < begin.size(); ++c) begin[c] += begin[c - 1];
-  sorted.resize(spheres.size());
-  for (const Sphere& sphere : spheres) sorted[begin[cell_of(sphere) + 1]++] = sphere;
+  grid.lay(low, size, cells);
 }
 
 void GrainGrid::sort(const double* centers, const double* radii, int count, double factor,
@@ -65,9 +58,31 @@ void GrainGrid::sort(const double* centers, const double* radii, int count, doub
     level.largest = 0.0;
     for (const Sphere& sphere : spheres) level.largest = std::max(level.largest, sphere.radius);
     level.lay_grid(spheres, 2.0 * factor * level.largest + margin);
-    level.sort(spheres);
+    level.grid.sort(
+        spheres, [](const Sphere& sphere) -> auto& { return sphere.center; });
   }
   levels_.resize(used);
+}
+
+std::optional<std::pair<int, int>> find_coincident(const double* centers, int count)
+{
+  struct Grain {
+    std::array<double, 3> center;
+    int index;
+  };
+  std::vector<Grain> grains;
+  for (int i = 0; i < count; ++i) {
+    const double* x = centers + 3 * i;
+    // Those that are no numbers have no order.
+    if (std::isfinite(x[0] + x[1] + x[2])) grains.push_back({{x[0], x[1], x[2]}, i});
+  }
+  std::sort(grains.begin(), grains.end(),
+            [](const Grain& a, const Grain& b) { return a.center < b.center; });
+  const auto same =
+      std::adjacent_find(grains.begin(), grains.end(),
+                         [](const Grain& a, const Grain& b) { return a.center == b.center; });
+  if (same == grains.end()) return {};
+  return std::minmax(same->index, (same + 1)->index);
 }
 
 }  // namespace encased_column

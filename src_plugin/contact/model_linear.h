@@ -56,7 +56,7 @@ class ContactModel<
     }
   }
 
-  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) { context_.ask_probes(); }
+  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) { context_.ask_observers(); }
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   bool checkSurfaceIntersect(SurfacesIntersectData&) { return true; }
   void tally_pp(double, int, int, int) {}
@@ -90,7 +90,7 @@ class ContactModel<
     s.Fn = action.normal_force;
     if (!s.computeflag) return;
     if (wall) {
-      context_.ask_probes();  // the host has no pass over walls
+      context_.ask_observers();  // the host has no pass over walls
       context_.raise_mass_for_contact(s.i, action.stiffness);
     }
     const double share = wall || s.j < lmp_->atom->nlocal ? 1.0 : 0.5;

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "contact/listed_pairs.h"
 #include "contact/model_linear.h"
 #include "contact/pair_list.h"
 #include "contact/pair_loop.h"
 #include "contact/touching_pairs.h"
 #include "core/input_error.h"
-#include "host/grain_arrays.h"
+#include "host/grains_and_box.h"
 
 namespace encased_column {
 
@@ -67,7 +66,7 @@ class PairLinear
     pairs_are_old_ = false;
     pair->evflag = pair->vflag_fdotr = 0;
     if (lmp_->atom->nlocal == 0) return;
-    context_.ask_probes();
+    context_.ask_observers();
     const GrainArrays grains(lmp_->atom);
     const bool advance = pair->computeflag() && pair->shearupdate();
     if (loop_ == PairLoop::batches)

@@ -57,7 +57,7 @@ void PairList::build(LAMMPS_NS::PairGran* pair)
   LAMMPS_NS::FixContactHistory& partners = *list.fix_history;
   if (list.get_maxlocal() < atom->nmax) list.grow(atom->nmax);
   if (touches.get_maxlocal() < atom->nmax) touches.grow(atom->nmax);
-  // Known only now: the host reads its exclusions after the pair styles were set up.
+  // Known only now: the host reads its exclusions after the set-up of the pair styles.
   if (lmp_->neighbor->exclude_setting()) {
     lmp_->neighbor->build_one(list.index);
     return;

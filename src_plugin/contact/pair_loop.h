@@ -12,7 +12,7 @@ namespace encased_column {
 /// template. All give the same forces; the last two are there to be compared with.
 enum class PairLoop { batches, single, host };
 
-/// Takes `loop WORD` out of the words of a pair style; rows where it is not there. Throws
+/// Takes `loop WORD` out of the words of a pair style; batches where it is not there. Throws
 /// InputError.
 inline PairLoop take_pair_loop(std::vector<char*>& words)
 {

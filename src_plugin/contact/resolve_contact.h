@@ -48,8 +48,8 @@ inline double contact_arm(double r, double overlap)
 /// Linear contact with history: stiffness from the radii, force, moments and losses. With `advance`
 /// the memory moves on by the step `dt` [s] that ends at step number `step`.
 ///
-/// A contact that was not there one step ago starts anew, whatever the memory holds: the host keeps
-/// the history of a pair that parts and meets again between two of its list builds.
+/// A contact that was not there one step ago starts from zero, whatever the memory holds: the host
+/// keeps the history of a pair that parts and meets again between two of its list builds.
 template <bool rolling>
 [[gnu::always_inline]] inline ContactAction resolve_contact(const ContactMaterial& material,
                                                             const Touch& t, double dt, double step,

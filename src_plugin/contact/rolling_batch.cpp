@@ -11,7 +11,7 @@ namespace encased_column {
 // A function of its own: what is declared in the loop itself would stay in memory.
 double RollingBatch::roll_one(int n, double dt, double step)
 {
-  const double old = seen_[n] < step - 1.0 ? 0.0 : 1.0;  // one that was not there starts anew
+  const double old = seen_[n] < step - 1.0 ? 0.0 : 1.0;  // a new contact starts from zero
   Vec3 torque = old * torque_.at(n);
   const Vec3 normal(normal_[0][n], normal_[1][n], normal_[2][n]);
   const double loss = advance_rolling_torque(shear_stiffness_[n], rolling_friction_[n],

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/contact_batch.h"
-#include "core/vector_row.h"
+#include "core/vector_units.h"
 
 namespace encased_column {
 

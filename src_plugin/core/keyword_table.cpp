@@ -1,7 +1,6 @@
 #include "core/keyword_table.h"
 
 #include "core/input_error.h"
-#include "core/read_number.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/vec3.h"
+
 /// Marks a function whose loops are compiled for the vector units of newer machines too; which one
 /// runs is decided when the program is loaded. Sanitizers have no say at that time, and instrument
 /// the plain one.
@@ -9,3 +11,16 @@
 #else
 #define ENCASE_VECTOR_UNITS
 #endif
+
+namespace encased_column {
+
+/// Vectors side by side, component by component, as vector units take them.
+template <int size>
+struct VectorRow {
+  double x[size], y[size], z[size];
+
+  Vec3 at(int n) const { return {x[n], y[n], z[n]}; }
+  void set(int n, const Vec3& v) { x[n] = v.x(), y[n] = v.y(), z[n] = v.z(); }
+};
+
+}  // namespace encased_column

@@ -2,7 +2,8 @@
 
 #include "core/input_error.h"
 #include "dynamics/read_mass_rule.h"
-#include "host/pair_history.h"
+#include "host/contact_history.h"
+#include "host/messages.h"
 #include "host/restart_block.h"
 #include "host/run_clock.h"
 
@@ -14,7 +15,9 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : GrainNumberFix(lmp, narg, arg, mass_scaling.inertial_masses())
 {
   try {
-    settings_ = MotionSettings::read(narg, arg);
+    const Options options = keywords.read(narg, arg);
+    settings_ = MotionSettings::read(options);
+    say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -22,7 +25,7 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   time_depend = 1;  // contacts remember step numbers
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 6;
+  size_vector = 7;
   global_freq = 1;
   extvector = 0;
 }
@@ -30,7 +33,9 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
 int FixMotion::modify_param(int narg, char** arg)
 {
   try {
-    settings_.modify(narg, arg, id);
+    const Options options = keywords.read(narg, arg, 0);
+    settings_.modify(options, id);
+    say_understood(lmp, *this, options, "fix_modify");
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -102,7 +107,7 @@ void FixMotion::find_all_in_set_up()
   set_step();
 }
 
-/// Outside a step, before whose first kick no way was gone.
+/// Outside a step, when no grain has moved yet since its last kick.
 void FixMotion::admit_new_grains()
 {
   mass_scaling.begin_step(grains(), false);
@@ -123,11 +128,17 @@ void FixMotion::set_step()
   update->dt = found_.stable_step;
 }
 
+double FixMotion::add_grains(ForceSums& sums)
+{
+  if (atom->nlocal == 0) return 0.0;
+  return sums.add_grains({atom->f[0], loads_.load(atom->nlocal), atom->rmass,
+                          force_start_.gravity().norm(), atom->mask, groupbit, atom->nlocal});
+}
+
 void FixMotion::compute_unbalanced_ratio()
 {
-  ForceSums sums = contacts_;
-  const double largest =
-      atom->nlocal ? sums.add_grains(atom->f[0], atom->mask, groupbit, atom->nlocal) : 0.0;
+  ForceSums sums = loads_.sums();
+  const double largest = add_grains(sums);
   sum_over_ranks(&sums.unbalanced, sizeof(ForceSums) / sizeof(double), world);
   if (!std::isfinite(sums.unbalanced + sums.contact))
     error->fix_error(
@@ -166,7 +177,7 @@ void FixMotion::pre_force(int)
     start_sums(grains(), 0, atom->nlocal, *force_start_.weight());
   if (!wants_contacts(update->ntimestep)) return;
   mass_scaling.clear_contacts();
-  contacts_ = {};
+  loads_.clear(atom->nlocal);
 }
 
 bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
@@ -179,7 +190,7 @@ void FixMotion::add_contact(const Contact& contact)
 {
   mass_scaling.add_contact(contact.i, contact.j, contact.normal, contact.normal_stiffness,
                            contact.shear_stiffness);
-  contacts_.add_contact(contact.force.norm(), contact.share);
+  loads_.add(contact.i, contact.j, contact.force.norm(), contact.share);
 }
 
 // Masses first: the last half kick is made with them.
@@ -205,10 +216,9 @@ void FixMotion::post_run()
 /// In a restart file, in this order.
 std::vector<double*> FixMotion::saved()
 {
-  return {&found_.largest_factor, &found_.stable_step,
-          &ratio_.average,        &ratio_.maximum,
-          &ratio_.contacts,       &found_with_.step,
-          &found_with_.safety,    &found_with_.stiffest_material};
+  return {&found_.largest_factor, &found_.stable_step, &ratio_.average,
+          &ratio_.maximum,        &ratio_.contacts,    &ratio_.bearing,
+          &found_with_.step,      &found_with_.safety, &found_with_.stiffest_material};
 }
 
 // Called before the host packs the grains: what a signal asks for comes at any step.

@@ -7,7 +7,7 @@
 #include "host/contact_observer.h"
 #include "host/force_start.h"
 #include "host/grain_number_fix.h"
-#include "host/rank_sums.h"
+#include "host/ranks.h"
 #include "host/velocity_watchers.h"
 
 #include <optional>
@@ -39,8 +39,8 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
   {
     if (n == 4) return damping_loss();
     const double values[] = {
-        ratio_.average, ratio_.maximum, found_.stable_step, found_.largest_factor, 0.0,
-        ratio_.contacts};
+        ratio_.average,  ratio_.maximum, found_.stable_step, found_.largest_factor, 0.0,
+        ratio_.contacts, ratio_.bearing};
     return values[n];
   }
   void write_restart(FILE* file) override;
@@ -70,6 +70,8 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
   void admit_new_grains();
   void find_masses();
   void find_all_in_set_up();
+  /// Of this rank; returns the largest unbalanced force [N].
+  double add_grains(ForceSums& sums);
   void complete_step() { motion_.complete_step(grains(), mass_scaling, update->dt); }
   void set_step();
   std::vector<double*> saved();
@@ -82,7 +84,7 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
   Masses masses_ = Masses::wanted_in_set_up;
   MassScaling::Rule found_with_;  ///< what masses and ratio were found with
   MassScaling::Found found_{0.0, 1.0};
-  ForceSums contacts_;
+  GrainLoads loads_;
   UnbalancedForceRatio ratio_;
   bool restored_made_grains_ = false;
   std::optional<double> time_of_restart_;  ///< until the first run after it [s]

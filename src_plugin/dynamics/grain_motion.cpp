@@ -1,6 +1,6 @@
 #include "dynamics/grain_motion.h"
 
-#include "dynamics/free_speed.h"
+#include "dynamics/inertia.h"
 
 #include <algorithm>
 

@@ -21,7 +21,7 @@ struct StepGrains : MovingGrains {
 void start_sums(const StepGrains& grains, int first, int count, const Vec3& acceleration);
 
 /// Velocity Verlet with local damping. The last half kick of a step and the first of the next begin
-/// with the same forces: where nobody looks at velocities in between they are made in one pass, as
+/// with the same forces: where nothing reads velocities in between they are made in one pass, as
 /// the pass takes its time to fetch the grains.
 class GrainMotion {
  public:
@@ -35,7 +35,7 @@ class GrainMotion {
   void complete_step(const StepGrains& grains, MassScaling& masses, double dt);
   /// What is due of the step before, then the first half kick and the way of the next. Grains whose
   /// only force is their weight, at `gravity` [m/s^2], keep to the free speed. With `weight` sums
-  /// start anew for the next forces, at that acceleration.
+  /// start again for the next forces, at that acceleration.
   void begin_step(const StepGrains& grains, MassScaling& masses, double dt, const Vec3& gravity,
                   const Vec3* weight);
 

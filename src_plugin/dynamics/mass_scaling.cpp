@@ -1,7 +1,7 @@
 #include "dynamics/mass_scaling.h"
 
 #include "core/constants.h"
-#include "dynamics/kinetic_energy.h"
+#include "dynamics/inertia.h"
 
 #include <algorithm>
 #include <tuple>
@@ -64,8 +64,8 @@ double MassScaling::mass_for(int i, double stiffness) const
 }
 
 // A grain that touches little now may touch more in the next step: no grain counts as softer than
-// one contact with something flat of its own kind makes it. Walls see to themselves. Grains that
-// were made since the contacts were collected have none.
+// one contact with something flat of its own kind makes it. Walls raise the masses of the grains
+// they touch. Grains that were made since the contacts were collected have none.
 double MassScaling::decisive_stiffness(int i) const
 {
   const bool known = i < static_cast<int>(stiffness_.size());

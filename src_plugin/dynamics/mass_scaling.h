@@ -28,7 +28,8 @@ inline double change_inertia(double& inertia, double wanted, Vec3& velocity)
   return 0.5 * (before - inertia * velocity.squaredNorm());
 }
 
-/// Grains in the arrays of whoever moves them: triples of each vector, one number of each scalar.
+/// Grains in the arrays of the fix that moves them: triples of each vector, one number of each
+/// scalar.
 struct MovingGrains {
   double* velocity = nullptr;      ///< [m/s]
   double* spin = nullptr;          ///< [rad/s]
@@ -66,7 +67,8 @@ class MassScaling {
   std::vector<double>& inertial_masses() { return inertia_; }
   const std::vector<double>& inertial_masses() const { return inertia_; }
 
-  /// The grains of a step, or of a set-up, whose velocities are complete and no way was gone.
+  /// The grains of a step, or of a set-up, whose velocities are complete and which have not moved
+  /// since.
   void begin_step(const MovingGrains& grains, bool way_was_gone);
   /// Grains without an inertial mass get that which one contact asks for. They come at the speed
   /// that the deck gave them with this mass: nothing is booked.
@@ -77,8 +79,8 @@ class MassScaling {
   /// Contact of grain i with grain j, or with a wall (`j` < 0). Ghosts bring no grain's own mass.
   void add_contact(int i, int j, const Vec3& normal, double normal_stiffness,
                    double shear_stiffness);
-  /// Grain i touches a wall by springs [N/m], which may be far stiffer than the grains': whoever
-  /// finds the contact says so at once, and the mass is raised where the step asks for it.
+  /// Grain i touches a wall by springs [N/m], which may be far stiffer than the grains': the code
+  /// that finds the contact calls this at once, and the mass is raised where the step asks for it.
   void raise_mass_for_contact(int i, double normal_stiffness, double shear_stiffness)
   {
     if (!rule.scales()) return;

@@ -7,9 +7,9 @@ namespace encased_column {
 const KeywordTable MotionSettings::keywords{
     {"damping", 1, "-", "local damping alpha, 0 to 0.99 (default 0.7)"},
     {"step", 1, "s",
-     "`stable`: true masses at the stable step (default); a number: that step, by density scaling"},
+     "`stable` (default): true masses at the stable step; a number: that step, by density scaling"},
     {"safety", 1, "-", "fraction f of the step sqrt(m/k), 0.01 to 1 (default 0.8)"},
-    {"every", 1, "steps", "how often stiffness, step and equilibrium are found anew (default 50)"},
+    {"every", 1, "steps", "how often stiffness, step and equilibrium are computed (default 50)"},
     {"free_speed", 1, "m/s",
      "grains that touch nothing fly no faster than this, larger than zero (default: no limit)"},
 };
@@ -31,9 +31,8 @@ double read_step(const Options& options)
 
 }  // namespace
 
-MotionSettings MotionSettings::read(int narg, char** arg)
+MotionSettings MotionSettings::read(const Options& options)
 {
-  const Options options = keywords.read(narg, arg);
   MotionSettings settings;
   settings.read_changeable(options);
   settings.safety = options.between("safety", 0.01, 1.0, settings.safety);
@@ -42,9 +41,8 @@ MotionSettings MotionSettings::read(int narg, char** arg)
   return settings;
 }
 
-void MotionSettings::modify(int narg, char** arg, const char* id)
+void MotionSettings::modify(const Options& options, const char* id)
 {
-  const Options options = keywords.read(narg, arg, 0);
   read_changeable(options);
   for (const char* fixed : {"step", "safety", "every"})
     if (options.has(fixed))

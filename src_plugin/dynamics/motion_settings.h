@@ -17,9 +17,9 @@ struct MotionSettings {
   double free_speed = std::numeric_limits<double>::infinity();  ///< [m/s]
 
   /// Of a fix line; throws InputError.
-  static MotionSettings read(int narg, char** arg);
+  static MotionSettings read(const Options& options);
   /// Of a `fix_modify` of the fix `id`; throws InputError.
-  void modify(int narg, char** arg, const char* id);
+  void modify(const Options& options, const char* id);
 
  private:
   void read_changeable(const Options& options);

@@ -1,8 +1,8 @@
 #include "dynamics/read_mass_rule.h"
 
 #include "core/input_error.h"
-#include "host/pair_property.h"
-#include "host/rank_sums.h"
+#include "host/contact_law.h"
+#include "host/ranks.h"
 
 #include "pair_gran.h"
 
@@ -12,7 +12,7 @@ namespace encased_column {
 
 namespace {
 
-/// With density scaling the types of grains: of walls they hear at the first touch. True masses
+/// With density scaling the types of grains: walls count from the first touch. True masses
 /// cannot wait for that.
 std::vector<int> types_that_count(LAMMPS_NS::LAMMPS* lmp, bool scales)
 {

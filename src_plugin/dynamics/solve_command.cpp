@@ -1,8 +1,8 @@
 #include "dynamics/solve_command.h"
 
 #include "core/input_error.h"
-#include "core/read_number.h"
 #include "dynamics/fix_motion.h"
+#include "host/find_fix.h"
 
 #include "integrate.h"
 #include "output.h"
@@ -14,7 +14,8 @@
 namespace encased_column {
 
 const KeywordTable SolveCommand::keywords{
-    {"ratio", 2, "-", "which unbalanced force ratio, `average` or `maximum`, and its limit"},
+    {"ratio", 2, "-",
+     "which unbalanced force ratio, `average`, `maximum` or `bearing`, and its limit"},
     {"every", 1, "steps",
      "how often it is looked at, a multiple of the motion's `every` (default 200)"},
     {"max", 1, "steps", "after so many the run stops with an error (default 200000)"},
@@ -22,6 +23,11 @@ const KeywordTable SolveCommand::keywords{
 };
 
 namespace {
+
+double chosen(const UnbalancedForceRatio& ratio, const std::string& which)
+{
+  return which == "average" ? ratio.average : which == "maximum" ? ratio.maximum : ratio.bearing;
+}
 
 /// True when a signal ends the run and its restart file is written: one that comes between two
 /// pieces of the run waits for the next step to write it.
@@ -40,7 +46,7 @@ void SolveCommand::command(int narg, char** arg)
   FixMotion* motion = nullptr;
   try {
     const Options options = keywords.read(narg, arg, 0);
-    which = options.choice("ratio", {"average", "maximum"});
+    which = options.choice("ratio", {"average", "maximum", "bearing"});
     limit = read_number("ratio", options.all("ratio").front()[1]);
     if (!(limit > 0.0))
       throw InputError("'ratio' takes a limit larger than zero, found " + in_words(limit) +
@@ -84,12 +90,11 @@ void SolveCommand::command(int narg, char** arg)
   double ratio = 1.0;
   bool is_reached = false;
   while (done < max && !is_stopped() && !is_reached) {
-    // Pieces end where the motion has just weighed the grains.
+    // Pieces end where the motion has just updated masses and ratios.
     const long piece = std::min(every - static_cast<long>(update->ntimestep % every), max - done);
     run_piece(piece);
     done += piece;
-    const UnbalancedForceRatio& e = motion->unbalanced_ratio();
-    ratio = which == "average" ? e.average : e.maximum;
+    ratio = chosen(motion->unbalanced_ratio(), which);
     is_reached = ratio <= limit && done >= least;
     if (is_reached)
       write_last_output();
@@ -102,7 +107,7 @@ void SolveCommand::command(int narg, char** arg)
   update->firststep = update->laststep = 0;
   update->beginstep = update->endstep = 0;
 
-  report(ratio, limit, which, done);
+  report(motion->unbalanced_ratio(), limit, which, done);
   if (!(ratio <= limit) && !LAMMPS_NS::SignalHandler::request_quit)
     error->all(FLERR, ("'ratio' " + which + " " + in_words(limit) + " was not reached in " +
                        std::to_string(done) + " steps, found " + in_words(ratio) +
@@ -111,7 +116,7 @@ void SolveCommand::command(int narg, char** arg)
 }
 
 // Whether a step was the last is known only after it: the one at the end of a piece counts as the
-// last while it is made, so that those who write or measure at the end of a run are ready.
+// last while it is made, so that fixes that write or measure at the end of a run act.
 void SolveCommand::run_piece(long steps)
 {
   if (steps > 1) update->integrate->run(static_cast<int>(steps - 1));
@@ -139,13 +144,17 @@ void SolveCommand::go_on(LAMMPS_NS::bigint end)
   --update->ntimestep;
 }
 
-void SolveCommand::report(double ratio, double limit, const std::string& which, long steps) const
+void SolveCommand::report(const UnbalancedForceRatio& ratio, double limit, const std::string& which,
+                          long steps) const
 {
   if (comm->me != 0) return;
   for (FILE* out : {screen, logfile})
     if (out)
-      fprintf(out, "solve: %s unbalanced force ratio %.3g (limit %.3g) after %ld steps\n",
-              which.c_str(), ratio, limit, steps);
+      fprintf(
+          out,
+          "solve: %s unbalanced force ratio %.3g (limit %.3g) after %ld steps; average over all "
+          "grains %.3g, with those that bear no load as balanced %.3g\n",
+          which.c_str(), chosen(ratio, which), limit, steps, ratio.average, ratio.bearing);
 }
 
 }  // namespace encased_column

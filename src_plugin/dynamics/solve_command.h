@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/keyword_table.h"
+#include "dynamics/unbalanced_force_ratio.h"
 #include "host/host_types.h"
 
 #include <string>
@@ -19,7 +20,8 @@ class SolveCommand : private LAMMPS_NS::Pointers {
   void run_piece(long steps);
   void write_last_output();
   void go_on(LAMMPS_NS::bigint end);
-  void report(double ratio, double limit, const std::string& which, long steps) const;
+  void report(const UnbalancedForceRatio& ratio, double limit, const std::string& which,
+              long steps) const;
 };
 
 }  // namespace encased_column

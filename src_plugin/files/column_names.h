@@ -2,7 +2,7 @@
 
 #include "files/column.h"
 
-// The names of all columns, once for who writes them and who reads them.
+// The names of all columns, once for the fixes that write them and the reports that read them.
 namespace encased_column {
 
 /// Of `fix specimen/history`.

@@ -2,7 +2,9 @@
 
 #include "core/input_error.h"
 #include "core/surface_mesh.h"
+#include "files/mesh_bytes.h"
 
+#include <vtkCellArray.h>
 #include <vtkLogger.h>
 #include <vtkObject.h>
 #include <vtkObjectFactory.h>
@@ -14,8 +16,6 @@
 #include <vtkTriangleFilter.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <cstdint>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -25,8 +25,8 @@ namespace encased_column {
 
 namespace {
 
-/// Takes what VTK's readers complain of in place of the screen: a file they take a part of is
-/// refused.
+/// Catches the messages of VTK's readers, which would go to the screen: a file they take a part of
+/// is refused.
 class Complaints : public vtkOutputWindow {
  public:
   static Complaints* New();
@@ -74,51 +74,42 @@ vtkStandardNewMacro(Complaints)
                    "', export the surface of the sleeve as triangles again");
 }
 
+/// VTK's filters take for granted that a cell begins where the one before ends, and that it names
+/// points that are there.
+void require_sound_cells(const std::string& path, vtkCellArray* cells, vtkIdType points)
+{
+  vtkDataArray* const begin = cells->GetOffsetsArray();
+  vtkDataArray* const point = cells->GetConnectivityArray();
+  const auto at = [](vtkDataArray* numbers, vtkIdType n) { return numbers->GetComponent(n, 0); };
+  const vtkIdType bounds = begin->GetNumberOfValues(), corners = point->GetNumberOfValues();
+  bool is_in_order = bounds == 0 || at(begin, 0) == 0.0;
+  for (vtkIdType n = 1; n < bounds; ++n) is_in_order &= at(begin, n) >= at(begin, n - 1);
+  if (!is_in_order || (bounds > 0 ? at(begin, bounds - 1) : 0.0) != static_cast<double>(corners))
+    refuse(path, "be a whole file of its format", "one that is damaged");
+  for (vtkIdType n = 0; n < corners; ++n)
+    if (!(at(point, n) >= 0.0 && at(point, n) < static_cast<double>(points)))
+      refuse(path, "name points that it holds", "point " + in_words(at(point, n)));
+}
+
 template <typename Reader>
 vtkSmartPointer<vtkPolyData> triangles_of(const std::string& path)
 {
   const Listening listening;
   const auto reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(path.c_str());
+  reader->Update();
+  if (listening.heard_any() || reader->GetErrorCode() != 0)
+    refuse(path, "be a whole file of its format", "one that is cut off or damaged");
+  vtkPolyData* const read = reader->GetOutput();
+  for (vtkCellArray* cells : {read->GetPolys(), read->GetStrips()})
+    require_sound_cells(path, cells, read->GetNumberOfPoints());
   const auto triangles = vtkSmartPointer<vtkTriangleFilter>::New();
   triangles->SetInputConnection(reader->GetOutputPort());
   triangles->PassLinesOff();
   triangles->PassVertsOff();
   triangles->Update();
-  if (listening.heard_any() || reader->GetErrorCode() != 0)
-    refuse(path, "be a whole file of its format", "one that is cut off or damaged");
+  if (listening.heard_any()) refuse(path, "hold triangles", "cells that cannot be cut into them");
   return triangles->GetOutput();
-}
-
-std::size_t count_of(const std::string& words, const std::string& text)
-{
-  std::size_t count = 0;
-  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
-  return count;
-}
-
-// The readers take what they find of a file that ends too early: STL in bytes tells its size, the
-// texts their end.
-bool is_whole_stl(const std::string& text)
-{
-  constexpr std::size_t head = 84, facet = 50;
-  if (text.size() >= head) {
-    std::uint32_t facets;
-    std::memcpy(&facets, text.data() + head - 4, sizeof(facets));
-    if (text.size() == head + facet * facets) return true;
-  }
-  const std::size_t facets = count_of("facet normal", text);
-  return text.compare(0, 5, "solid") == 0 && text.find('\0') == std::string::npos &&
-         count_of("endfacet", text) == facets && count_of("vertex", text) == 3 * facets &&
-         count_of("endsolid", text) > 0 &&
-         text.find("facet", text.rfind("endsolid")) == std::string::npos;
-}
-
-bool is_whole(const std::string& kind, const std::string& text)
-{
-  if (kind == ".stl") return is_whole_stl(text);
-  if (kind == ".vtp") return text.find("</VTKFile>") != std::string::npos;
-  return !text.empty() && text.back() == '\n';  // else its last number may lack digits
 }
 
 }  // namespace
@@ -133,7 +124,7 @@ std::vector<std::array<Vec3, 3>> read_mesh_file(const std::string& path)
   if (!file || std::filesystem::is_directory(path))
     throw InputError("'file' must be a file that can be read, found '" + path +
                      "', write the path as seen from where the run starts");
-  if (!is_whole(kind, {std::istreambuf_iterator<char>(file), {}}))
+  if (!is_whole_mesh(kind, {std::istreambuf_iterator<char>(file), {}}))
     refuse(path, "be a whole file of its format", "one that is cut off or damaged");
   vtkSmartPointer<vtkPolyData> data;
   try {
@@ -155,8 +146,6 @@ std::vector<std::array<Vec3, 3>> read_mesh_file(const std::string& path)
     data->GetCellPoints(c, ids);
     std::array<Vec3, 3> facet;
     for (int i = 0; i < 3; ++i) {
-      if (ids->GetId(i) < 0 || ids->GetId(i) >= data->GetNumberOfPoints())
-        refuse(path, "name points that it holds", "point " + std::to_string(ids->GetId(i)));
       data->GetPoint(ids->GetId(i), facet[i].data());
       if (!facet[i].allFinite()) refuse(path, "hold finite coordinates", "one that is no number");
     }

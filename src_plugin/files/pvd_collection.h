@@ -20,7 +20,7 @@ std::string pvd_text(const std::vector<PvdEntry>& entries);
 class PvdCollection {
  public:
   /// Adds a file. What is listed at this time [s] or later is dropped first: a run that goes back
-  /// writes its files anew.
+  /// writes its files again.
   void add(double time, const std::string& file);
   const std::vector<PvdEntry>& entries() const { return entries_; }
   /// The collection as XML.

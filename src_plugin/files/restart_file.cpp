@@ -1,7 +1,6 @@
 #include "files/restart_file.h"
 
 #include "core/input_error.h"
-#include "files/restart_seal.h"
 
 #include <cstdint>
 #include <cstring>
@@ -75,7 +74,7 @@ class Bytes {
     return numbers;
   }
 
-  /// What is left may be the seal of the bytes before it (files/restart_seal.h), and nothing else.
+  /// What is left may be the seal of the bytes before it (RestartSeal), and nothing else.
   void take_end() const
   {
     if (left_ > 0 && !is_sealed(file_)) refuse(file_, "which is cut off or damaged");
@@ -257,6 +256,8 @@ void check_restart_file(const std::string& file)
 {
   const bool is_split = file.find('%') != std::string::npos;
   Bytes bytes(with(file, '%', "base"));
+  // The walk below does not come to the end where a style of another library has written.
+  if (seal_found(file) == SealFound::of_other_bytes) bytes.strange();
   const Head head = take_head(bytes);
   skip_groups(bytes);
   skip_masses(bytes, head);

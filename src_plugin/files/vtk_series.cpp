@@ -1,5 +1,6 @@
 #include "files/vtk_series.h"
 
+#include "core/input_error.h"
 #include "files/atomic_file.h"
 
 #include <cstdio>
@@ -9,6 +10,15 @@
 namespace encased_column {
 
 namespace fs = std::filesystem;
+
+VtkSeries read_series(const Options& options, const std::string& usual_name)
+{
+  const std::string folder = options.word("folder"), name = options.word("name", usual_name);
+  if (name.find_first_of("/\\") != std::string::npos)
+    throw InputError("'name' must not hold a slash, found '" + name +
+                     "', write the path as 'folder ...'");
+  return {fs::absolute(folder).string(), name};
+}
 
 bool VtkSeries::prepare() const
 {

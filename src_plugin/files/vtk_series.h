@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/keyword_table.h"
 #include "files/pvd_collection.h"
 
+#include <memory>
 #include <string>
 
 namespace encased_column {
@@ -43,6 +45,20 @@ class VtkSeries {
   std::string folder_, name_;
   PvdCollection collection_;
 };
+
+/// The series that the keywords `folder` and `name` ask for. Throws InputError where `name` is a
+/// path.
+VtkSeries read_series(const Options& options, const std::string& usual_name);
+
+/// The same, its collection claimed from `files` (OutputFiles of host/) and made with its folder.
+template <typename Files>
+std::unique_ptr<VtkSeries> make_series(Files& files, const Options& options,
+                                       const std::string& usual_name)
+{
+  auto series = std::make_unique<VtkSeries>(read_series(options, usual_name));
+  files.collection(options.word("folder"), series->name(), [&] { return series->prepare(); });
+  return series;
+}
 
 /// A fix that writes such a series.
 class SeriesOwner {

@@ -26,8 +26,8 @@ struct Contact {
   ContactKind kind;  ///< of what stands where j is
 };
 
-/// A fix that looks at every contact of chosen steps. Whoever computes contacts asks each observer
-/// once a step and calls those that want it; other steps cost nothing.
+/// A fix that looks at every contact of chosen steps. The contact loops ask each observer once a
+/// step and call those that want it; other steps cost nothing.
 class ContactObserver {
  public:
   virtual ~ContactObserver() = default;
@@ -49,14 +49,26 @@ class ContactLossOwner {
   ContactLosses contact_losses;
 };
 
-/// Every fix of `lmp` that is a T, in the deck's order.
-template <typename T>
-std::vector<T*> fixes_that_are(LAMMPS_NS::LAMMPS* lmp)
-{
-  std::vector<T*> found;
-  for (int n = 0; n < lmp->modify->nfix; ++n)
-    if (auto* fix = dynamic_cast<T*>(lmp->modify->fix[n])) found.push_back(fix);
-  return found;
-}
+/// The contacts of each grain of this rank. A pair across a border of ranks, or of a periodic box,
+/// is seen from both ends, each time with its own grain as i.
+class ContactCounter {
+ public:
+  void start(int grains) { contacts_.assign(grains, 0); }
+  void add(const Contact& contact)
+  {
+    ++contacts_[contact.i];
+    if (is_here(contact)) ++contacts_[contact.j];
+  }
+  /// The other end is a grain of this rank, and not seen from there.
+  bool is_here(const Contact& contact) const
+  {
+    return contact.j >= 0 && contact.j < static_cast<int>(contacts_.size());
+  }
+  int operator[](int i) const { return contacts_[i]; }
+  int grains() const { return static_cast<int>(contacts_.size()); }
+
+ private:
+  std::vector<int> contacts_;
+};
 
 }  // namespace encased_column

@@ -4,6 +4,7 @@
 #include "host/host_types.h"
 
 #include <string>
+#include <vector>
 
 namespace encased_column {
 
@@ -23,6 +24,16 @@ T* find_fix(LAMMPS_NS::LAMMPS* lmp, const std::string& keyword, const std::strin
                      "', which is a 'fix " + lmp->modify->fix[n]->style + "', write the ID of a " +
                      kind);
   return fix;
+}
+
+/// Every fix of `lmp` that is a T, in the deck's order.
+template <typename T>
+std::vector<T*> fixes_that_are(LAMMPS_NS::LAMMPS* lmp)
+{
+  std::vector<T*> found;
+  for (int n = 0; n < lmp->modify->nfix; ++n)
+    if (auto* fix = dynamic_cast<T*>(lmp->modify->fix[n])) found.push_back(fix);
+  return found;
 }
 
 /// A fix of the deck that a keyword names by its ID, found at the start of each run. `unfix` may

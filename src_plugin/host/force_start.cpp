@@ -1,13 +1,25 @@
 #include "host/force_start.h"
 
-#include "host/fix_gravity_of_motion.h"
-#include "host/force_clearing.h"
+#include "host/contact_observer.h"
+#include "host/find_fix.h"
 #include "host/gravity.h"
-#include "host/ignores_velocity.h"
+#include "host/host_types.h"
+#include "host/velocity_watchers.h"
+
+#include "integrate.h"
 
 namespace encased_column {
 
 namespace {
+
+/// Tells the host's integrator whether another clears the sums of forces: it has a switch for that,
+/// which only a derived class may set.
+struct ForceClearing : LAMMPS_NS::Integrate {
+  static void leave_to_us(LAMMPS_NS::Integrate* integrator, bool left)
+  {
+    integrator->*(&ForceClearing::external_force_clear) = left;
+  }
+};
 
 /// True where a fix of the host acts at one of `stages`, up to the fix `last` in the deck's order.
 bool others_act(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, int stages,
@@ -26,8 +38,8 @@ bool others_act(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, int stages
 }  // namespace
 
 // Grains outside the group are the host's, and what else its integrator clears. Others may add
-// forces before the pairs', or want those before the weight. What a `fix gravity` behind the motion
-// is like it knows only after its init().
+// forces before the pairs', or want those before the weight. A `fix gravity` that stands behind the
+// motion is known only after its init().
 void ForceStart::take_over(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, bool watched)
 {
   using namespace LAMMPS_NS::FixConst;

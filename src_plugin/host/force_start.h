@@ -17,7 +17,7 @@ class ForceStart {
 
   /// Acceleration [m/s^2] that sums start with; null where the host starts them.
   const Vec3* weight() const { return sums_ == Sums::of_host ? nullptr : &weight_; }
-  /// Acceleration [m/s^2] of the deck's gravity, whoever applies it.
+  /// Acceleration [m/s^2] of the deck's gravity, whether the host or we apply it.
   const Vec3& gravity() const { return gravity_; }
 
   /// The pass over the grains has started the sums of the step to come.

@@ -1,6 +1,6 @@
 #include "host/grain_number_fix.h"
 
-#include "host/require_grains.h"
+#include "host/grains_and_box.h"
 
 namespace encased_column {
 

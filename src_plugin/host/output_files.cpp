@@ -1,10 +1,9 @@
 #include "host/output_files.h"
 
 #include "core/input_error.h"
-#include "files/atomic_file.h"
-#include "files/output_paths.h"
-#include "host/first_rank.h"
-#include "host/stop_run.h"
+#include "host/messages.h"
+#include "host/output_paths.h"
+#include "host/ranks.h"
 
 #include "dump.h"
 #include "output.h"
@@ -29,7 +28,7 @@ std::set<std::string>& commands_that_wrote()
   return names;
 }
 
-/// The host keeps the name of a dump's file to its own kind.
+/// The name of a dump's file is protected in the host.
 struct DumpFile : LAMMPS_NS::Dump {
   static std::string of(const LAMMPS_NS::Dump* dump) { return dump->*(&DumpFile::filename); }
 };
@@ -71,7 +70,7 @@ std::string OutputFiles::claim(const std::string& keyword, const std::string& fi
   const std::string owner =
       of_first_rank(lmp_, lmp_->comm->me == 0 ? paths().claim(path, owner_, of_command_) : "");
   if (!owner.empty())
-    throw InputError("'" + keyword + "' must be a file that nobody else writes, found '" + file +
+    throw InputError("'" + keyword + "' must be a file that nothing else writes, found '" + file +
                      "', which " + owner + " writes, give " + owner_ + " another name");
   check_host(claimed_.back());
   return path;
@@ -88,19 +87,13 @@ std::string OutputFiles::file(const Options& options, const std::string& keyword
   return path;
 }
 
-std::unique_ptr<VtkSeries> OutputFiles::series(const Options& options,
-                                               const std::string& usual_name)
+void OutputFiles::collection(const std::string& folder, const std::string& name,
+                             const std::function<bool()>& prepare)
 {
-  const std::string folder = options.word("folder"), name = options.word("name", usual_name);
-  if (name.find_first_of("/\\") != std::string::npos)
-    throw InputError("'name' must not hold a slash, found '" + name +
-                     "', write the path as 'folder ...'");
   claim("name", folder + "/" + name + ".pvd");
-  auto series = std::make_unique<VtkSeries>(absolute_path(folder), name);
-  if (!on_first_rank_too(lmp_, lmp_->comm->me != 0 || series->prepare()))
+  if (!on_first_rank_too(lmp_, lmp_->comm->me != 0 || prepare()))
     throw InputError("'folder' must be a folder that can be written, found '" + folder +
                      "', write another path or mend its rights");
-  return series;
 }
 
 /// Dumps open their files only when a run begins; what is open already, such as the log and the
@@ -119,7 +112,7 @@ void OutputFiles::check_host(const Claimed& claimed) const
   const std::string writer =
       of_first_rank(lmp_, lmp_->comm->me == 0 ? host_writer(claimed.path) : "");
   if (!writer.empty())
-    throw InputError("'" + claimed.keyword + "' must be a file that nobody else writes, found '" +
+    throw InputError("'" + claimed.keyword + "' must be a file that nothing else writes, found '" +
                      claimed.file + "', which " + writer + " writes, give " + owner_ +
                      " another name");
 }

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "files/vtk_series.h"
 #include "host/host_types.h"
 
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,9 +28,10 @@ class OutputFiles {
   /// while it is written. Throws InputError too where the first rank cannot write it.
   std::string file(const Options& options, const std::string& keyword, const std::string& usual,
                    const std::string& ending = "");
-  /// The series of files that the keywords `folder` and `name` ask for, its folder made on the
-  /// first rank.
-  std::unique_ptr<VtkSeries> series(const Options& options, const std::string& usual_name);
+  /// The same for the collection `name`.pvd of a series of files in `folder`. `prepare` makes both,
+  /// on the first rank, and says whether it could.
+  void collection(const std::string& folder, const std::string& name,
+                  const std::function<bool()>& prepare);
 
   /// Throws InputError where a command of the host, perhaps a later one, writes one of the files:
   /// to be asked before a run.

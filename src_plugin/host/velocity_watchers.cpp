@@ -1,7 +1,5 @@
 #include "host/velocity_watchers.h"
 
-#include "host/ignores_velocity.h"
-
 #include "output.h"
 
 #include <algorithm>

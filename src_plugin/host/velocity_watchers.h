@@ -6,8 +6,15 @@
 
 namespace encased_column {
 
-/// Who looks at the velocities of grains, and when. A fix that is not an IgnoresVelocity may do so
-/// wherever it acts.
+/// A fix that acts while a step is made or at its end, but does not read the velocities of the
+/// grains there: `fix motion` need not complete them for it.
+class IgnoresVelocity {
+ protected:
+  virtual ~IgnoresVelocity() = default;
+};
+
+/// Which fixes read the velocities of grains, and when. A fix that is not an IgnoresVelocity may do
+/// so wherever it acts.
 class VelocityWatchers {
  public:
   /// Before a run; `motion` is the fix that asks.

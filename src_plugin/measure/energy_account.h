@@ -65,7 +65,6 @@ class EnergyBalance {
     most_ = std::max({most_, flow.in, flow.out});
     return most_ > 0.0 ? std::abs(flow.in - flow.out) / most_ : 0.0;
   }
-  const EnergyAccount& at_start() const { return start_; }
   double most() const { return most_; }  ///< energy [J] seen on one side of the account
 
  private:

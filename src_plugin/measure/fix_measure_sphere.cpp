@@ -1,11 +1,11 @@
 #include "measure/fix_measure_sphere.h"
 
 #include "core/input_error.h"
-#include "files/vtk_spheres_writer.h"
-#include "host/box_of_run.h"
-#include "host/rank_sums.h"
+#include "files/vtk_files.h"
+#include "host/grains_and_box.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
 #include "measure/see_contact.h"
 
 #include <numeric>
@@ -57,7 +57,7 @@ FixMeasureSphere::FixMeasureSphere(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
       throw InputError(
           "'frames' goes with 'folder', found it alone, write for example 'folder spheres'");
     if (options.has("folder")) {
-      series_ = files_.series(options, "spheres");
+      series_ = make_series(files_, options, "spheres");
       options.assume("frames", std::to_string(frame_every_));
     }
     say_understood(lmp, *this, options);

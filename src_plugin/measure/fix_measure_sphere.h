@@ -3,10 +3,10 @@
 #include "core/keyword_table.h"
 #include "files/csv_series.h"
 #include "files/vtk_series.h"
-#include "host/contact_counter.h"
-#include "host/ignores_velocity.h"
+#include "host/contact_observer.h"
 #include "host/output_files.h"
 #include "host/run_clock.h"
+#include "host/velocity_watchers.h"
 #include "measure/sphere_sampler.h"
 #include "specimen/platens_of_deck.h"
 

@@ -4,9 +4,9 @@
 #include "dynamics/fix_motion.h"
 #include "host/find_fix.h"
 #include "host/gravity.h"
-#include "host/rank_sums.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
 #include "measure/see_contact.h"
 
 #include <algorithm>
@@ -107,7 +107,7 @@ void FixSpecimenHistory::add_contact(const Contact& contact)
   sums_.add(see_contact(contact, contacts_of_, *atom));
 }
 
-// The first row is the state before the first step. The motion weighed the grains when it was set
+// The first row is the state before the first step. The motion computed the masses when it was set
 // up itself, perhaps before gravity was.
 void FixSpecimenHistory::setup(int)
 {
@@ -162,7 +162,7 @@ void FixSpecimenHistory::take_sample()
   sample.step = static_cast<double>(update->ntimestep);
   sample.before = before_;
   sample.sums = sums_.numbers();
-  sample.closing_speed = specimen().platens().closing_speed();
+  sample.strain_rate = specimen().axial_strain_rate();
   sample.unbalanced_ratio = motion_->unbalanced_ratio();
   sample.energy_error = balance_.error(sample.now.energy);
   batch_.clear();

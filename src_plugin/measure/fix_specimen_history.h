@@ -2,9 +2,9 @@
 
 #include "core/keyword_table.h"
 #include "files/csv_series.h"
-#include "host/contact_counter.h"
+#include "host/contact_observer.h"
 #include "host/output_files.h"
-#include "measure/specimen_columns.h"
+#include "measure/specimen_sums.h"
 #include "specimen/platens_of_deck.h"
 #include "specimen/specimen.h"
 

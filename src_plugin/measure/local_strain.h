@@ -14,7 +14,7 @@ struct MovedGrain {
   double diameter;    ///< [m]
 };
 
-/// Grains smaller than this part of the mean diameter by volume are nobody's neighbours.
+/// Grains smaller than this part of the mean diameter by volume do not count as neighbours.
 constexpr double finest_neighbour = 0.5;
 
 /// Value of a grain with too few neighbours to span a volume.

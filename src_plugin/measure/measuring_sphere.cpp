@@ -1,7 +1,6 @@
 #include "measure/measuring_sphere.h"
 
-#include "measure/coordination.h"
-#include "measure/love_weber.h"
+#include "measure/seen_contact.h"
 #include "measure/sphere_overlap.h"
 #include "specimen/specimen.h"
 

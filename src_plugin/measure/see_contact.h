@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/contact_counter.h"
+#include "host/contact_observer.h"
 #include "measure/seen_contact.h"
 
 namespace encased_column {

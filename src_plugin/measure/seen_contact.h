@@ -32,4 +32,37 @@ struct SeenContact {
   }
 };
 
+/// What the force [N] on a grain at `lever` [m] from its center adds to V times the stress along
+/// the unit vector `direction` [J], positive in compression.
+///
+/// Love-Weber: V sigma = - sum over contacts of force x lever; in equilibrium the mean stress of
+/// the grain. Source: Weber, Bull. Liaison Ponts et Chaussees 20 (1966) 3-1 to 3-20.
+inline double love_weber(const Vec3& force, const Vec3& lever, const Vec3& direction)
+{
+  return -force.dot(direction) * lever.dot(direction);
+}
+
+/// Contacts counted over a specimen; a contact of two grains has two ends, one with a wall has one.
+struct ContactCount {
+  double grains = 0.0;
+  double ends = 0.0;             ///< of all contacts
+  double without_contact = 0.0;  ///< grains that touch nothing
+  double with_one_contact = 0.0;
+};
+
+/// Mean number of contacts per grain [-].
+inline double coordination_number(const ContactCount& n)
+{
+  return n.grains > 0.0 ? n.ends / n.grains : 0.0;
+}
+
+/// Mean number of contacts [-] per grain that bears load: grains with none or one contact and
+/// those contacts left out.
+/// Source: Thornton (2000), Geotechnique 50, 43-53, "mechanical coordination number".
+inline double mechanical_coordination_number(const ContactCount& n)
+{
+  const double bearing = n.grains - n.without_contact - n.with_one_contact;
+  return bearing > 0.0 ? (n.ends - n.with_one_contact) / bearing : 0.0;
+}
+
 }  // namespace encased_column

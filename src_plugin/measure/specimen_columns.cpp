@@ -1,8 +1,8 @@
-#include "measure/specimen_columns.h"
+#include "measure/specimen_sums.h"
 
-#include "dynamics/inertial_number.h"
+#include "dynamics/inertia.h"
 #include "files/column_names.h"
-#include "measure/coordination.h"
+#include "measure/seen_contact.h"
 
 namespace encased_column {
 
@@ -28,8 +28,8 @@ ContactCount contact_count(const SpecimenSample& s)
 
 double inertial_number_of(const SpecimenSample& s)
 {
-  const double p = s.mean_stress(), rate = s.closing_speed / s.now.state.height;
-  return p > 0.0 ? inertial_number(rate, s.sums.diameter / s.sums.mass,
+  const double p = s.mean_stress();
+  return p > 0.0 ? inertial_number(s.strain_rate, s.sums.diameter / s.sums.mass,
                                    s.sums.inertia / s.sums.solid, p)
                  : 0.0;
 }

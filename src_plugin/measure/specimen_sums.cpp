@@ -1,7 +1,7 @@
 #include "measure/specimen_sums.h"
 
-#include "dynamics/kinetic_energy.h"
-#include "measure/love_weber.h"
+#include "dynamics/inertia.h"
+#include "measure/seen_contact.h"
 
 #include <type_traits>
 

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "dynamics/unbalanced_force_ratio.h"
+#include "files/column.h"
 #include "measure/energy_account.h"
 #include "measure/seen_contact.h"
 #include "specimen/specimen.h"
+
+#include <vector>
 
 namespace encased_column {
 
@@ -60,7 +63,7 @@ struct SpecimenSample {
   double step;
   SpecimenMoment before, now;  ///< strains, works and losses count from the first
   SpecimenSums::Numbers sums;
-  double closing_speed;  ///< of the platens [m/s]
+  double strain_rate;  ///< axial [1/s]
   UnbalancedForceRatio unbalanced_ratio;
   double energy_error;  ///< [-]
 
@@ -69,5 +72,8 @@ struct SpecimenSample {
   /// the room they take up with their share of the voids.
   double core_stress(double products) const;
 };
+
+/// The columns of a specimen's history, in their order.
+const std::vector<Column<SpecimenSample>>& specimen_columns();
 
 }  // namespace encased_column

@@ -2,7 +2,6 @@
 
 #include "core/input_error.h"
 #include "core/keyword_table.h"
-#include "core/read_number.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "files/column.h"
 #include "measure/measuring_sphere.h"
 #include "measure/seen_contact.h"
-#include "specimen/height_window.h"
+#include "specimen/platen.h"
 
 #include <vector>
 

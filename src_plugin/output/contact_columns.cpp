@@ -2,7 +2,6 @@
 
 #include "core/input_error.h"
 #include "core/keyword_table.h"
-#include "core/read_number.h"
 #include "files/column_names.h"
 
 namespace encased_column {

@@ -3,7 +3,7 @@
 #include "core/input_error.h"
 #include "files/atomic_file.h"
 #include "host/find_fix.h"
-#include "host/say_understood.h"
+#include "host/messages.h"
 
 #include <filesystem>
 

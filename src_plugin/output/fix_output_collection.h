@@ -2,8 +2,8 @@
 
 #include "core/keyword_table.h"
 #include "files/vtk_series.h"
-#include "host/ignores_velocity.h"
 #include "host/output_files.h"
+#include "host/velocity_watchers.h"
 
 #include <string>
 #include <vector>

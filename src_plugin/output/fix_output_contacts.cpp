@@ -1,10 +1,9 @@
 #include "output/fix_output_contacts.h"
 
 #include "core/input_error.h"
-#include "host/gather.h"
-#include "host/rank_sums.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
 
 #include <algorithm>
 #include <numeric>
@@ -43,7 +42,7 @@ FixOutputContacts::FixOutputContacts(LAMMPS_NS::LAMMPS* lmp, int narg, char** ar
     forces_ = ContactForces(contact_levels(options));
     file_ =
         CsvSeries(files_.file(options, "file", "contacts.csv"), contact_headings(forces_.levels()));
-    series_ = files_.series(options, "contacts");
+    series_ = make_series(files_, options, "contacts");
     say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());

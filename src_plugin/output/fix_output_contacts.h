@@ -2,7 +2,7 @@
 
 #include "core/keyword_table.h"
 #include "files/csv_series.h"
-#include "files/vtk_contacts_writer.h"
+#include "files/vtk_files.h"
 #include "files/vtk_series.h"
 #include "host/contact_observer.h"
 #include "host/output_files.h"

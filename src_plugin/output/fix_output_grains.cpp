@@ -1,11 +1,11 @@
 #include "output/fix_output_grains.h"
 
 #include "core/input_error.h"
-#include "host/box_of_run.h"
-#include "host/gather.h"
+#include "host/grains_and_box.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
-#include "output/grain_strains.h"
+#include "output/grain_track.h"
 
 #include <algorithm>
 #include <cstring>
@@ -58,7 +58,7 @@ void FixOutputGrains::read_keywords(int narg, char** arg)
   options_.rotation = options.choice("rotation", {"yes", "no"}, "yes") == "yes";
   strain_range_ = options.has("strain_range") ? options.not_negative("strain_range", 0.0) : -1.0;
   options_.strain = strain_range_ != 0.0;
-  series_ = files_.series(options, "grains");
+  series_ = make_series(files_, options, "grains");
   if (strain_range_ < 0.0)
     options.assume("strain_range", in_words(usual_strain_range) + " mean diameters");
   say_understood(lmp, *this, options);

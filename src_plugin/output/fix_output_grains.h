@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "files/vtk_grains_writer.h"
+#include "files/vtk_files.h"
 #include "files/vtk_series.h"
-#include "host/contact_counter.h"
+#include "host/contact_observer.h"
 #include "host/output_files.h"
 #include "host/run_clock.h"
 #include "output/grain_track.h"

@@ -2,9 +2,9 @@
 
 #include "core/input_error.h"
 #include "files/atomic_file.h"
-#include "files/restart_seal.h"
-#include "host/rank_sums.h"
-#include "host/say_understood.h"
+#include "files/restart_file.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 
 #include "signal_handling.h"
 #include "write_restart.h"
@@ -17,7 +17,7 @@
 namespace encased_column {
 
 const KeywordTable FixOutputRestart::keywords{
-    {"every", 1, "steps", "the file is written anew every so many steps"},
+    {"every", 1, "steps", "the file is rewritten every so many steps"},
     {"file", 1, "-", "its name"},
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/keyword_table.h"
-#include "host/ignores_velocity.h"
 #include "host/output_files.h"
+#include "host/velocity_watchers.h"
 
 #include <string>
 

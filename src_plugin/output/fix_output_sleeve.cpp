@@ -1,11 +1,12 @@
 #include "output/fix_output_sleeve.h"
 
 #include "core/input_error.h"
+#include "files/vtk_files.h"
 #include "host/find_fix.h"
+#include "host/messages.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
 #include "output/sleeve_columns.h"
-#include "output/vtk_sleeve_writer.h"
+#include "output/sleeve_fields.h"
 #include "shell/fix_mesh_surface_shell.h"
 
 #include <numeric>
@@ -44,7 +45,7 @@ FixOutputSleeve::FixOutputSleeve(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
         CsvSeries(files_.file(options, "profile", "profile.csv"), headings_of(profile_columns()));
     curves_ =
         CsvSeries(files_.file(options, "curves", "sleeve.csv"), headings_of(sleeve_columns()));
-    series_ = files_.series(options, "sleeve");
+    series_ = make_series(files_, options, "sleeve");
     say_understood(lmp, *this, options);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
@@ -114,7 +115,10 @@ void FixOutputSleeve::write_frame()
   if (!profile_.append(rows)) files_.stop(profile_.path());
   const long step = static_cast<long>(update->ntimestep);
   const std::string path = series_->path_of_step(step);
-  if (!write_sleeve(path, sleeve_->model(), before_, sleeve_->axis()) ||
+  const ShellModel& model = sleeve_->model();
+  if (!write_surface(path, model.position(), model.facet(),
+                     sleeve_node_fields(model, before_, sleeve_->axis()),
+                     sleeve_facet_fields(model)) ||
       !series_->list(clock_.now(), step))
     files_.stop(path);
 }

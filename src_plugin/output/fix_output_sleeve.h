@@ -4,9 +4,9 @@
 #include "files/column.h"
 #include "files/csv_series.h"
 #include "files/vtk_series.h"
-#include "host/ignores_velocity.h"
 #include "host/output_files.h"
 #include "host/run_clock.h"
+#include "host/velocity_watchers.h"
 #include "shell/sleeve_profile.h"
 
 #include <memory>

@@ -5,6 +5,7 @@
 #include "packing/draw_diameters.h"
 #include "packing/gradation_file.h"
 #include "packing/grain_volume.h"
+#include "packing/packing_limits.h"
 
 #include "atom_vec.h"
 
@@ -19,6 +20,9 @@ const KeywordTable CreatePackingCommand::keywords{
     {"distribution", 1, "-", "inside a class: log_uniform, uniform or uniform_number"},
     {"cylinder", 3, "m", "radius, lower and upper end of the specimen around the z axis"},
     {"porosity", 1, "-", "voids over volume at full size, 0.1 to 0.7"},
+    {"relative_density", 1, "-", "instead of `porosity`: 0 for the loosest packing to 1"},
+    {"limits", 3, "-",
+     "with `relative_density`: CSV file of packing limits, friction and rolling friction"},
     {"density", 1, "kg/m^3", "of the grains, larger than zero"},
     {"type", 1, "-", "atom type of the grains"},
     {"seed", 1, "-", "of the random draws, zero or larger"},
@@ -38,7 +42,6 @@ void CreatePackingCommand::command(int narg, char** arg)
       throw InputError(
           "'cylinder' takes a radius larger than zero, a lower and a higher end, found " + ends[0] +
           " " + ends[1] + " " + ends[2] + ", write for example 'cylinder 0.05 0 0.2'");
-    const double solid = solid_volume(options.number("porosity"), cylinder.volume());
     const double density = options.positive("density");
     const long type = options.integer("type", 1);
     const auto seed = static_cast<std::uint64_t>(options.integer("seed", 0));
@@ -47,10 +50,11 @@ void CreatePackingCommand::command(int narg, char** arg)
         class_distribution(options.word("distribution", "log_uniform"));
     const double finest = options.not_negative("finest", 0.0);
     check_host(cylinder, type);
+    const double solid = solid_volume(read_porosity(options, cylinder, finest), cylinder.volume());
     OutputFiles files(lmp, "create_packing");
     const std::string report_file = options.has("report") ? files.file(options, "report", "") : "";
 
-    std::istringstream table(read_file(options.word("gradation")));
+    std::istringstream table(read_file("gradation", options.word("gradation")));
     const Gradation gradation =
         without_finer(read_gradation(table, options.word("gradation")), distribution, finest);
     const std::vector<double> diameters = draw_diameters(gradation, distribution, solid, seed);
@@ -95,7 +99,35 @@ void CreatePackingCommand::check_host(const Cylinder& cylinder, long type) const
                        " m, enlarge the box");
 }
 
-std::string CreatePackingCommand::read_file(const std::string& file) const
+double CreatePackingCommand::read_porosity(const Options& options, const Cylinder& cylinder,
+                                           double finest) const
+{
+  const bool relative = options.has("relative_density");
+  if (relative == options.has("porosity"))
+    throw InputError("a packing takes one of 'porosity' and 'relative_density', found " +
+                     std::string(relative ? "both" : "neither") +
+                     ", write for example 'porosity 0.4'");
+  if (relative != options.has("limits"))
+    throw InputError(
+        "'relative_density' and 'limits' stand together, found one of them, write for example "
+        "'relative_density 0.8 limits packing_limits.csv 0.7 0.5'");
+  if (!relative) return options.number("porosity");
+  const double density = options.between("relative_density", 0.0, 1.0);
+  const std::vector<std::string>& words = options.all("limits").front();
+  const std::string gradation = options.word("gradation");
+  const PackingCase packing{gradation.substr(gradation.rfind('/') + 1),
+                            options.word("distribution", "log_uniform"),
+                            finest,
+                            cylinder.radius,
+                            cylinder.height(),
+                            read_number("limits", words[1]),
+                            read_number("limits", words[2])};
+  std::istringstream table(read_file("limits", words[0]));
+  return read_packing_limits(table, words[0], packing).porosity_at(density);
+}
+
+std::string CreatePackingCommand::read_file(const std::string& keyword,
+                                            const std::string& file) const
 {
   std::string text;
   int size = -1;
@@ -110,7 +142,7 @@ std::string CreatePackingCommand::read_file(const std::string& file) const
   }
   MPI_Bcast(&size, 1, MPI_INT, 0, world);
   if (size < 0)
-    throw InputError("'gradation' must name a file that can be read, found '" + file +
+    throw InputError("'" + keyword + "' must name a file that can be read, found '" + file +
                      "', check the path from where the deck runs");
   text.resize(static_cast<std::size_t>(size));
   MPI_Bcast(text.data(), size, MPI_CHAR, 0, world);
@@ -154,7 +186,7 @@ void CreatePackingCommand::print(const PackingSummary& summary) const
   }
 }
 
-// The bookkeeping after new atoms is that of the host's own create_atoms.
+// The bookkeeping after new atoms follows the host's own create_atoms.
 void CreatePackingCommand::create_atoms(const std::vector<Vec3>& centers,
                                         const std::vector<double>& radii, int type, double density)
 {

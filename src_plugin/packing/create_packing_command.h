@@ -22,8 +22,10 @@ class CreatePackingCommand : protected LAMMPS_NS::Pointers {
 
  private:
   void check_host(const Cylinder& cylinder, long type) const;
+  /// At full size, as the deck gives it or a relative density asks for.
+  double read_porosity(const Options& options, const Cylinder& cylinder, double finest) const;
   /// All of a small text file, read by rank 0.
-  std::string read_file(const std::string& file) const;
+  std::string read_file(const std::string& keyword, const std::string& file) const;
   void report(const Gradation& wanted, const std::vector<double>& diameters, double volume,
               const std::string& file) const;
   void print(const PackingSummary& summary) const;

@@ -1,7 +1,6 @@
 #include "packing/gradation_file.h"
 
 #include "core/input_error.h"
-#include "core/read_number.h"
 
 #include <iomanip>
 #include <istream>

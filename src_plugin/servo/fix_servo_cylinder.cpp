@@ -1,7 +1,7 @@
 #include "servo/fix_servo_cylinder.h"
 
-#include "core/read_number.h"
-#include "host/box_of_run.h"
+#include "core/input_error.h"
+#include "host/grains_and_box.h"
 
 namespace encased_column {
 

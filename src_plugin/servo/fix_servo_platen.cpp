@@ -1,6 +1,6 @@
 #include "servo/fix_servo_platen.h"
 
-#include "host/box_of_run.h"
+#include "host/grains_and_box.h"
 
 namespace encased_column {
 

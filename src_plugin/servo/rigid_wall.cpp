@@ -1,8 +1,8 @@
 #include "servo/rigid_wall.h"
 
-#include "host/rank_sums.h"
+#include "host/messages.h"
+#include "host/ranks.h"
 #include "host/restart_block.h"
-#include "host/say_understood.h"
 
 #include "pair_gran.h"
 

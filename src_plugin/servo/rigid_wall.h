@@ -1,10 +1,10 @@
 #pragma once
 
 #include "contact/contact_context.h"
+#include "contact/contact_memory_fix.h"
 #include "core/input_error.h"
 #include "core/keyword_table.h"
-#include "host/contact_memory_fix.h"
-#include "host/grain_arrays.h"
+#include "host/grains_and_box.h"
 #include "servo/near_grains.h"
 #include "servo/wall_motion.h"
 
@@ -38,7 +38,7 @@ class RigidWall : public ContactMemoryFix {
 
  protected:
   void read_wall(const Options& options);
-  /// Looks up the fixes this wall refers to; throws InputError.
+  /// Finds the fixes this wall refers to; throws InputError.
   virtual void find_partners() = 0;
   /// True where they are found and have not been taken away since.
   virtual bool has_partners() const = 0;
@@ -75,7 +75,7 @@ class RigidWall : public ContactMemoryFix {
   bool rolling_ = false;
   bool advance_memory_ = true;
   bool material_is_new_ = false;
-  /// The inertia of no grain may have borne its contact yet, though it touched before this step.
+  /// The masses may not allow for this contact yet, though it was there before this step.
   bool all_are_new_ = false;
   WallLoad own_load_;     ///< of this rank
   mutable WallLoad sum_;  ///< of all, once load() was asked for it
@@ -88,7 +88,7 @@ class RigidWall : public ContactMemoryFix {
 template <typename Shape>
 void RigidWall::press_grains_with(const Shape& shape)
 {
-  context_.ask_probes();
+  context_.ask_observers();
   own_load_ = WallLoad();
   summed_ = false;
   // Radii grow in steps that make new lists.

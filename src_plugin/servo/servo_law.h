@@ -15,7 +15,7 @@ struct WallLoad {
 };
 
 /// Speed limit [m/s] of a wall where the deck gives none: a hundred-thousandth of the specimen's
-/// `radius` [m] per step `dt` [s], far below what grains cover.
+/// `radius` [m] per step `dt` [s], far below the way that grains go in a step.
 inline double usual_speed_limit(double radius, double dt)
 {
   return 1e-5 * radius / dt;

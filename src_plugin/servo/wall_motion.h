@@ -26,7 +26,7 @@ class WallMotion {
   double speed(long step, double dt, const WallLoad& load, double area, double usual_limit);
 
   /// True after more than `patience` steps in a row at the speed limit in one direction: grains
-  /// that cannot bear the stress, or are not there, would be run over in silence.
+  /// that cannot bear the stress, or are not there, would be run over without a message.
   bool is_out_of_reach() const { return std::abs(steps_at_limit_) > patience_; }
   /// Stress [Pa] that is followed at `step`.
   double target(long step) const { return ramp_.at(step); }

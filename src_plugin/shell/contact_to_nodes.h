@@ -76,11 +76,4 @@ class FacetLever {
   double across_;         ///< 1 / (4 A^2 sum |r|^2) [1/m^6]
 };
 
-/// The three nodal forces [N] that equal `force` [N] at `point` [m] together with `moment` [N m].
-inline std::array<Vec3, 3> contact_to_nodes(const std::array<Vec3, 3>& corner, const Vec3& point,
-                                            const Vec3& force, const Vec3& moment)
-{
-  return FacetLever(corner, point).nodal_forces(force, moment);
-}
-
 }  // namespace encased_column

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/vector_row.h"
+#include "core/vector_units.h"
 #include "shell/cloth_facets.h"
 #include "shell/surface_mesh.h"
 

@@ -1,9 +1,8 @@
 #include "shell/fix_mesh_surface_shell.h"
 
-#include "host/box_of_run.h"
-#include "host/grain_arrays.h"
+#include "host/grains_and_box.h"
+#include "host/messages.h"
 #include "host/restart_block.h"
-#include "host/stop_run.h"
 #include "shell/sleeve_input.h"
 
 #include "pair_gran.h"
@@ -14,6 +13,12 @@
 namespace encased_column {
 
 const KeywordTable FixMeshSurfaceShell::keywords{sleeve_keywords(), {}};
+
+namespace {
+
+const char* const deck_style = "mesh/surface/shell";
+
+}  // namespace
 
 FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
     : ContactMemoryFix(lmp, narg, arg),
@@ -34,6 +39,7 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
                                  read_nodal_mass_rule(on_fix_line_), Rank{comm->me, comm->nprocs});
     sleeve_->set_control(read_sleeve_control(on_fix_line_, {}), update->ntimestep);
     read_pressure(on_fix_line_);
+    say_understood(lmp, *this, on_fix_line_, "fix", deck_style);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -42,7 +48,7 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
   style = std::strcpy(new char[sizeof("sleeve")], "sleeve");
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 18;
+  size_vector = numbers;
   global_freq = 1;
   extvector = 0;
 }
@@ -52,6 +58,8 @@ void FixMeshSurfaceShell::read_pressure(const Options& options)
   if (options.has("pressure"))
     sleeve_->set_pressure(options.number("pressure"), options.integer("ramp", 1, 1),
                           update->ntimestep);
+  const long reached = update->ntimestep + sleeve_->ramp_left(update->ntimestep);
+  options.assume("pressure", sleeve_->pressure(reached));
 }
 
 int FixMeshSurfaceShell::modify_param(int narg, char** arg)
@@ -61,6 +69,7 @@ int FixMeshSurfaceShell::modify_param(int narg, char** arg)
     require_changeable(options);
     sleeve_->set_control(read_sleeve_control(options, sleeve_->control()), update->ntimestep);
     read_pressure(options);
+    say_understood(lmp, *this, options, "fix_modify", deck_style);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
@@ -78,7 +87,7 @@ void FixMeshSurfaceShell::init()
   auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(force->pair);
   rolling_ = pair && pair->contact_match("rolling_friction", "epsd2");
   try {
-    require_open_box(lmp, "mesh/surface/shell", "xy");
+    require_open_box(lmp, deck_style, "xy");
     context_.open(rolling_);
     platens_.find();
   } catch (const InputError& problem) {
@@ -103,8 +112,8 @@ void FixMeshSurfaceShell::initial_integrate(int)
 void FixMeshSurfaceShell::take_loads(bool at_set_up)
 {
   sleeve_->start_loads(step_now(), window(), at_set_up);
-  context_.ask_probes();
-  // Lists of pairs and of facets hold together: grains keep their numbers in between.
+  context_.ask_observers();
+  // Lists of pairs and of facets are made together: grains keep their numbers in between.
   if (neighbor->ago == 0 || sleeve_->needs_list())
     remember(sleeve_->list_grains(atom->nlocal ? atom->x[0] : nullptr, atom->radius, atom->nlocal,
                                   neighbor->skin));
@@ -181,46 +190,31 @@ void FixMeshSurfaceShell::final_integrate()
     if (comm->me == 0) error->warning(FLERR, sentence.c_str());
 }
 
+// Each number by its own way: some add up over the ranks.
 double FixMeshSurfaceShell::compute_vector(int n)
 {
-  switch (n) {
-    case 0:
-      return pressure_now();
-    case 1:
-      return summary().hoop_tension;
-    case 2:
-      return summary().hoop_tension_max;
-    case 3:
-      return summary().hoop_strain;
-    case 4:
-      return summary().hoop_strain_max;
-    case 5:
-      return axial_force(true);
-    case 6:
-      return axial_force(false);
-    case 7:
-      return friction_force();
-    case 8:
-      return enclosed_volume(window().low, window().high);
-    case 9:
-      return stored_energy();
-    case 10:
-      return kinetic_energy();
-    case 11:
-      return work();
-    case 12:
-      return damping_loss();
-    case 13:
-      return sleeve_->mass_factor();
-    case 14:
-      return static_cast<double>(sleeve_->ramp_left(update->ntimestep));
-    case 15:
-      return summary().plastic_hoop_strain_max;
-    case 16:
-      return summary().damage_max;
-    default:
-      return yielding_loss();
-  }
+  using Fix = FixMeshSurfaceShell;
+  static constexpr double (*number[numbers])(Fix&) = {
+      [](Fix& f) { return f.pressure_now(); },
+      [](Fix& f) { return f.summary().hoop_tension; },
+      [](Fix& f) { return f.summary().hoop_tension_max; },
+      [](Fix& f) { return f.summary().hoop_strain; },
+      [](Fix& f) { return f.summary().hoop_strain_max; },
+      [](Fix& f) { return f.axial_force(true); },
+      [](Fix& f) { return f.axial_force(false); },
+      [](Fix& f) { return f.friction_force(); },
+      [](Fix& f) { return f.enclosed_volume(f.window().low, f.window().high); },
+      [](Fix& f) { return f.stored_energy(); },
+      [](Fix& f) { return f.kinetic_energy(); },
+      [](Fix& f) { return f.work(); },
+      [](Fix& f) { return f.damping_loss(); },
+      [](Fix& f) { return f.sleeve_->mass_factor(); },
+      [](Fix& f) { return static_cast<double>(f.sleeve_->ramp_left(f.update->ntimestep)); },
+      [](Fix& f) { return f.summary().plastic_hoop_strain_max; },
+      [](Fix& f) { return f.summary().damage_max; },
+      [](Fix& f) { return f.yielding_loss(); },
+  };
+  return number[n](*this);
 }
 
 void FixMeshSurfaceShell::write_restart(FILE* file)
@@ -240,6 +234,7 @@ void FixMeshSurfaceShell::restart(char* buffer)
     block.take(state.data(), state.size());
     sleeve_->restore(state);
     read_pressure(on_fix_line_);
+    say_understood(lmp, *this, on_fix_line_, "fix", deck_style);
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "contact/contact_context.h"
+#include "contact/contact_memory_fix.h"
 #include "core/keyword_table.h"
-#include "host/contact_memory_fix.h"
-#include "host/rank_sums.h"
+#include "host/ranks.h"
 #include "shell/sleeve.h"
 #include "specimen/lateral_boundary.h"
 #include "specimen/platens_of_deck.h"
@@ -19,6 +19,7 @@ namespace encased_column {
 class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
  public:
   static const KeywordTable keywords;
+  static constexpr int numbers = 18;  ///< of compute_vector()
 
   FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 

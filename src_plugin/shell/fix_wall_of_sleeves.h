@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/creators.h"
+#include "host/host_types.h"
 
 namespace encased_column {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/vec3.h"
-#include "specimen/height_window.h"
+#include "specimen/platen.h"
 
 #include <array>
 

@@ -5,7 +5,7 @@
 
 namespace encased_column {
 
-/// What a user looks at; material axes (hoop, axial), forces per reference length.
+/// What is written for the user; material axes (hoop, axial), forces per reference length.
 struct FacetState {
   PlaneVector strain;          ///< engineering (e_hoop, e_axial, shear angle) [-]
   PlaneVector membrane_force;  ///< (N_hoop, N_axial, N_shear) [N/m]; the first is the hoop tension

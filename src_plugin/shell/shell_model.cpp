@@ -225,19 +225,4 @@ double ShellModel::kinetic_energy() const
   return 0.5 * twice;
 }
 
-Vec3 ShellModel::linear_momentum() const
-{
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < nodes(); ++i) sum += mass_[i] * velocity_[i];
-  return sum;
-}
-
-Vec3 ShellModel::angular_momentum() const
-{
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < nodes(); ++i)
-    sum += mass_[i] * position_[i].cross(velocity_[i]) + inertia_[i] * angular_velocity_[i];
-  return sum;
-}
-
 }  // namespace encased_column

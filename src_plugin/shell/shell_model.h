@@ -51,9 +51,9 @@ class ShellModel {
   const Vec3& force(int node) const { return load_[node]; }
   const Vec3& moment(int node) const { return load_[nodes() + node]; }
 
-  /// Part of the loads [N], one vector a node, of which advance() tells the work; whoever sets it
-  /// adds it to load() as well. Where ranks share the facets, each holds its part and gets its part
-  /// of the work.
+  /// Part of the loads [N], one vector a node, of which advance() tells the work; the caller that
+  /// sets it adds it to load() as well. Where ranks share the facets, each holds its part and gets
+  /// its part of the work.
   std::vector<Vec3>& external() { return external_; }
 
   std::vector<Support>& support() { return support_; }
@@ -106,9 +106,6 @@ class ShellModel {
 
   /// Translational and rotational energy at the half step of the velocities [J].
   double kinetic_energy() const;
-  Vec3 linear_momentum() const;
-  /// About the origin [N m s]; conserved by the integrator where no support and no load acts.
-  Vec3 angular_momentum() const;
 
  private:
   double damping_work(int i, double dt, double alpha, const Mat3& free,

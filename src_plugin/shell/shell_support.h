@@ -43,21 +43,4 @@ inline Support held_across(int node, const Vec3& axis)
   return support;
 }
 
-/// Held along the unit vector `direction` only.
-inline Support held_along(int node, const Vec3& direction)
-{
-  Support support{node};
-  support.held = direction * direction.transpose();
-  return support;
-}
-
-/// Mirror symmetry: a node in the plane with the unit `normal` stays in it and turns about the
-/// normal only.
-inline Support in_symmetry_plane(int node, const Vec3& normal)
-{
-  Support support = held_along(node, normal);
-  support.held_rotation = Mat3::Identity() - support.held;
-  return support;
-}
-
 }  // namespace encased_column

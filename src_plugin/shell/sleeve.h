@@ -96,7 +96,6 @@ class Sleeve {
                                     const std::array<std::string, 2>& platens, long step);
 
   const ShellModel& model() const { return model_; }
-  const std::vector<int>& end_nodes(bool top) const { return end_nodes_[top ? 0 : 1]; }
   const Vec3& axis() const { return axis_; }  ///< a point of the center line [m]
   double enclosed_volume(const HeightWindow& window) const;
   double cross_section(double z) const;                                          ///< [m^2]

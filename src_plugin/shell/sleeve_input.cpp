@@ -41,7 +41,7 @@ const std::vector<Keyword>& sleeve_keywords()
       {"rigid", 1, "-", "`yes`: the sleeve stands still until it is released by `no` (default)"},
       {"pressure", 1, "Pa", "from outside, on what lies between the platens (default 0)"},
       {"ramp", 1, "steps", "with `pressure`: it gets there linearly in so many steps"},
-      {"pressed", 1, "-", "`between` the platens (default) or `everywhere`"},
+      {"pressed", 1, "-", "`between` (default): between the platens; or `everywhere`"},
       {"damping", 1, "-", "local damping alpha, 0 to 0.99 (default 0.7)"},
       {"mass_scaling", 1, "-",
        "`yes` (default): nodes as heavy as the step asks for; `no`: true masses"},
@@ -86,6 +86,7 @@ ShellConstants read_shell_constants(const Options& options)
   constants.tension_only = is_yes(options, "tension_only", false);
   if (options.has("bending_thickness"))
     constants.bending_thickness = options.not_negative("bending_thickness", 0.0);
+  options.assume("bending_thickness", constants.thickness);
   if (options.has("modulus_axial"))
     constants.modulus_axial = options.positive("modulus_axial");
   else if (options.has("shear_modulus") && constants.modulus_axial == 0.0)
@@ -112,7 +113,7 @@ SleeveControl read_sleeve_control(const Options& options, const SleeveControl& n
       options.choice("pressed", {"between", "everywhere"},
                      now.pressed_everywhere ? "everywhere" : "between") == "everywhere";
   control.damping = options.between("damping", 0.0, 0.99, now.damping);
-  if (options.has("strain_limit")) control.strain_limit = options.positive("strain_limit");
+  control.strain_limit = options.positive("strain_limit", now.strain_limit);
   control.stops_when_torn = options.choice("when_torn", {"stop", "go_on"},
                                            now.stops_when_torn ? "stop" : "go_on") == "stop";
   const auto& names = sleeve_end_names();

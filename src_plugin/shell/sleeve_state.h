@@ -12,7 +12,7 @@
 
 namespace encased_column {
 
-/// What an engineer reads off a sleeve; tension and stretch positive.
+/// What an engineer wants to know of a sleeve; tension and stretch positive.
 struct SleeveSummary {
   double area = 0.0;                     ///< of the facets counted [m^2]
   double hoop_tension = 0.0;             ///< mean over the area [N/m]
@@ -82,9 +82,9 @@ inline std::optional<std::string> torn_facet(const ShellModel& model, int first,
   return {};
 }
 
-/// What is wrong with one of facets [first, last), as a sentence; nothing when all is well.
-/// A facet is over-stretched when a principal strain exceeds `limit` [-], either way where the
-/// membrane bears compression.
+/// What is wrong with one of facets [first, last), as a sentence; empty when all are sound. A facet
+/// is over-stretched when a principal strain exceeds `limit` [-], either way where the membrane
+/// bears compression.
 inline std::optional<std::string> fault_of_facets(const ShellModel& model, int first, int last,
                                                   double limit, long released = -1)
 {

@@ -62,7 +62,8 @@ SurfaceMesh welded(const std::vector<std::array<Vec3, 3>>& triangle, double tole
   SurfaceMesh mesh;
   std::map<Cell, int> known;
   const auto find = [&](const Vec3& x) {
-    // Two corners within the tolerance may fall on either side of a cell's border: look next door.
+    // Two corners within the tolerance may fall on either side of a cell's border: search the
+    // neighbouring cells too.
     const Cell home{std::lround(x.x() / tolerance), std::lround(x.y() / tolerance),
                     std::lround(x.z() / tolerance)};
     for (long i = -1; i <= 1; ++i)

@@ -7,8 +7,8 @@
 namespace encased_column::testing {
 
 /// Expects that `lines`, put after the opening deck, end the program before its first step with an
-/// exit code that is not 0 and `sentence` on the screen; on two ranks too, where nobody may be left
-/// waiting.
+/// exit code that is not 0 and `sentence` on the screen; on two ranks too, where no rank may be
+/// left waiting.
 inline void expect_refused(const std::string& opening, const std::string& lines,
                            const std::string& sentence)
 {

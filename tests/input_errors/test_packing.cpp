@@ -104,3 +104,41 @@ TEST(Growth, RefusesNoStages)
   expect_refused("one_grain", "fix grow all grow/radius from 0.5 stages 0\nrun 1\n",
                  "'stages' must be 1 or larger, found 0, write for example 'stages 1'");
 }
+
+TEST(Growth, RefusesASpecimenThatIsNotThereAndAMotionThatWeighsTooSeldom)
+{
+  const std::string walls =
+      "fix side all servo/cylinder radius 0.0247 platens top bottom type 2\n"
+      "fix top all servo/platen position top z 0.08 side side type 2\n"
+      "fix bottom all servo/platen position bottom z 0 side side type 2\n"
+      "fix move all motion\n"
+      "fix grow all grow/radius from 0.9 stress 5e3 ";
+  expect_refused("grain_stack", walls + "platens top lid side side\nrun 1\n",
+                 "'platens' must name a fix servo/platen, found 'lid'");
+  expect_refused("grain_stack", walls + "relax 60 platens top bottom side side\nrun 1\n",
+                 "'relax' must be a multiple of the 'every' of fix move with 'stress', found 60 "
+                 "and 50, write for example 'relax 50'");
+}
+
+TEST(Packing, RefusesARelativeDensityInPercent)
+{
+  expect_refused("empty_cylinder",
+                 packing(one_class, "relative_density 80 limits limits.csv 0.7 0.5"),
+                 "'relative_density' must be between 0 and 1, found 80");
+}
+
+TEST(Packing, RefusesBothWaysToSayHowDense)
+{
+  expect_refused("empty_cylinder",
+                 packing(one_class, "porosity 0.4 relative_density 0.8 limits limits.csv 0.7 0.5"),
+                 "a packing takes one of 'porosity' and 'relative_density', found both");
+}
+
+TEST(Packing, RefusesLimitsOfAnotherPacking)
+{
+  expect_refused("empty_cylinder",
+                 packing(one_class, "relative_density 0.8 limits " ENCASE_SOURCE
+                                    "/input_scripts/common/packing_limits.csv 0.7 0.5"),
+                 "for gravel.csv log_uniform, finest 0 m, radius 0.05 m, height 0.2 m, friction "
+                 "0.7, rolling friction 0.5, make one with the deck packing_limits.lmp");
+}

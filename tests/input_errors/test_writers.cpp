@@ -1,4 +1,4 @@
-// Two writers of one file: whoever comes second is refused, whatever it is and whatever way it
+// Two writers of one file: the second is refused, whatever it is and whatever way it
 // names the file.
 #include "input_errors/refusal.h"
 
@@ -25,7 +25,7 @@ const std::string sphere = " all measure/sphere sphere 0 0 0.04 0.02 ";
 std::string refused(const std::string& keyword, const std::string& file, const std::string& owner,
                     const std::string& second)
 {
-  return "'" + keyword + "' must be a file that nobody else writes, found '" + file + "', which " +
+  return "'" + keyword + "' must be a file that nothing else writes, found '" + file + "', which " +
          owner + " writes, give " + second + " another name";
 }
 
@@ -58,7 +58,7 @@ const std::vector<TwoWriters> pairs{
     {"TablesOfTwoStylesUnderTwoNamesOfOneFile",
      "fix a" + sphere + "file all.csv\n" +
          "fix b all output/contacts every 10 folder c file ./../${PWD}/all.csv\nrun 0\n",
-     "must be a file that nobody else writes, found './../"},
+     "must be a file that nothing else writes, found './../"},
     {"TwoTablesOfOneFix",
      walls + "fix tube all mesh/surface/shell cylinder 0.055 0 0.2 edge 0.02 type 2 platens top "
              "bottom modulus 1e7 poisson 0.3 thickness 0.01 density 30\n"

@@ -2,7 +2,6 @@
 // it: the file in which it says its variables, and the commands that its log has.
 #include "runner/case_record.h"
 #include "runner/case_variables.h"
-#include "runner/used_variables.h"
 #include "support/run_command.h"
 
 #include <gtest/gtest.h>
@@ -18,17 +17,31 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Second values, each unlike its default; small and short.
-const Settings of_both{{"resolution", "small"},  {"sigma3", "51e3"},
-                       {"porosity", "0.41"},     {"modulus", "7.1e6"},
-                       {"kappa", "3.4"},         {"mu", "0.79"},
-                       {"mu_r", "0.011"},        {"mu_packing", "0.003"},
-                       {"mu_platen", "0.71"},    {"alpha", "0.69"},
-                       {"rate", "1.31e-6"},      {"moving", "2"},
-                       {"free_speed", "1.3e-6"}, {"strain_end", "0.003"},
-                       {"limit", "3e-3"},        {"seed", "7"},
-                       {"frames", "3"},          {"chains", "4.7"},
-                       {"restart_every", "713"}, {"radius", "0.031"},
-                       {"height", "0.061"},      {"density", "1741"}};
+const Settings of_both{{"resolution", "small"},
+                       {"sigma3", "51e3"},
+                       {"porosity", "0.41"},
+                       {"modulus", "7.1e6"},
+                       {"kappa", "3.4"},
+                       {"mu", "0.79"},
+                       {"mu_r", "0.011"},
+                       {"mu_packing", "0.3"},
+                       {"mu_platen", "0.71"},
+                       {"alpha", "0.69"},
+                       {"rate", "1.31e-6"},
+                       {"moving", "2"},
+                       {"free_speed", "1.3e-6"},
+                       {"strain_end", "0.003"},
+                       {"limit", "3e-3"},
+                       {"seed", "7"},
+                       {"frames", "3"},
+                       {"chains", "4.7"},
+                       {"restart_every", "713"},
+                       {"radius", "0.031"},
+                       {"height", "0.061"},
+                       {"density", "1741"},
+                       {"stress_packing", "4900"},
+                       {"relative_density", "0.31"},
+                       {"preload", "60e3"}};
 const Settings of_plain{{"mu_cylinder", "0.02"}};
 const Settings of_encased{{"mu_sc", "0.77"},
                           {"modulus_sc", "6.9e7"},
@@ -97,7 +110,14 @@ class Log {
 
 class EveryVariable : public ::testing::Test {
  protected:
-  void SetUp() override { prepare_small_cases(folder_.path()); }
+  void SetUp() override
+  {
+    prepare_small_cases(folder_.path());
+    // What the deck packing_limits.lmp finds for the grains of the second values.
+    std::ofstream(folder_.path() / "common/packing_limits.csv", std::ios::app)
+        << "gradation_cinder_gravel.csv,uniform_number,0.01,0.031,0.061,0.79,0.011,7.1e6,5e3,1,"
+           "0.5021,0.4424\n";
+  }
 
   fs::path case_folder(const std::string& id) const { return folder_.path() / out_ / id; }
 

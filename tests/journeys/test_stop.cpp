@@ -59,6 +59,32 @@ class Stop : public ::testing::Test {
       EXPECT_EQ(read_text(folder_of(out, id) / file), read_text(folder_of("whole", id) / file))
           << file;
   }
+  // Sums over ranks have another round-off each time, so only the course is compared.
+  static void expect_the_same_course_on_two_ranks(const std::string& out)
+  {
+    if (!has("whole_2", "plain", "finished")) {
+      ASSERT_EQ(RunningCommand(folder_->path(), "whole_2", options("plain", 2)).end().exit_code, 0);
+    }
+    const CsvTable resumed(folder_of(out, "plain") / "history.csv");
+    const CsvTable whole(folder_of("whole_2", "plain") / "history.csv");
+    EXPECT_EQ(resumed.column("axial_strain [-]").size(), whole.column("axial_strain [-]").size());
+    EXPECT_NEAR(resumed.column("stress_bottom [Pa]").back(),
+                whole.column("stress_bottom [Pa]").back(), 1e3);
+  }
+  /// Kills the command alone; the case hears of it and stops too.
+  static void kill_and_resume(const std::string& out, int ranks)
+  {
+    {
+      RunningCommand command(folder_->path(), out, options("plain", ranks));
+      ASSERT_TRUE(command.wait_until([&] { return has(out, "plain", "restart_3"); }));
+      command.send(SIGKILL);
+      EXPECT_EQ(command.end().exit_code, 137);
+    }
+    const Outcome outcome =
+        RunningCommand(folder_->path(), out, and_resume(options("plain", ranks))).end();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_TRUE(outcome.says("Case plain goes on in stage ")) << outcome.output;
+  }
   /// Sends `signal` once the log of this start has come to `words`; the exit code and what is
   /// resumable must be told.
   static void stop_at(const std::string& out, const std::string& id, int ranks, int signal,
@@ -106,15 +132,10 @@ TEST_F(Stop, InEveryStageOfAnEncasedTestLosesNothing)
   stop_in_every_stage("encased", 1);
 }
 
-// Sums over ranks have another round-off each time, so only the course is compared.
 TEST_F(Stop, StopsTwoRanksAtTheSameStep)
 {
   stop_in_every_stage("plain", 2);
-  ASSERT_EQ(RunningCommand(folder_->path(), "whole_2", options("plain", 2)).end().exit_code, 0);
-  const CsvTable resumed(folder_of("plain_2", "plain") / "history.csv");
-  const CsvTable whole(folder_of("whole_2", "plain") / "history.csv");
-  EXPECT_NEAR(resumed.column("stress_bottom [Pa]").back(),
-              whole.column("stress_bottom [Pa]").back(), 1e3);
+  expect_the_same_course_on_two_ranks("plain_2");
 }
 
 TEST_F(Stop, OfTheFirstMomentBeginsAgain)
@@ -138,20 +159,16 @@ TEST_F(Stop, SecondSignalKills)
   EXPECT_EQ(last_line(outcome).rfind("Stopped; --resume ", 0), 0u) << outcome.output;
 }
 
-// The case hears of it and stops too; then it goes on as if nothing had happened.
 TEST_F(Stop, KilledItselfLeavesNoCaseRunning)
 {
-  {
-    RunningCommand command(folder_->path(), "killed", options("plain", 1));
-    ASSERT_TRUE(command.wait_until([&] { return has("killed", "plain", "restart_3"); }));
-    command.send(SIGKILL);
-    EXPECT_EQ(command.end().exit_code, 137);
-  }
-  const Outcome outcome =
-      RunningCommand(folder_->path(), "killed", and_resume(options("plain", 1))).end();
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_TRUE(outcome.says("Case plain goes on in stage ")) << outcome.output;
+  kill_and_resume("killed", 1);
   expect_the_same_results("killed", "plain");
+}
+
+TEST_F(Stop, KilledItselfLeavesNoneOfTwoRanksRunning)
+{
+  kill_and_resume("killed_2", 2);
+  expect_the_same_course_on_two_ranks("killed_2");
 }
 
 TEST_F(Stop, CaseThatStillRunsIsNotStartedTwice)
@@ -173,11 +190,11 @@ TEST_F(Stop, GoesOnFromAnOlderStageWhereARestartFileIsCutOff)
   fs::create_directories(to.parent_path());
   fs::copy(from, to, fs::copy_options::recursive);
   fs::remove(to / "finished");
-  fs::resize_file(to / "restart_4", fs::file_size(to / "restart_4") / 2);
+  fs::resize_file(to / "restart_5", fs::file_size(to / "restart_5") / 2);
   const Outcome outcome =
       RunningCommand(folder_->path(), "torn", and_resume(options("plain", 1))).end();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_TRUE(outcome.says("Case plain goes on in stage 3, restart_4 is cut off"))
+  EXPECT_TRUE(outcome.says("Case plain goes on in stage 4, restart_5 is cut off"))
       << outcome.output;
   expect_the_same_results("torn", "plain");
 }

@@ -29,6 +29,26 @@ std::string packing_on(int ranks)
   return read_text(folder.path() / "grains");
 }
 
+/// A specimen whose growth minded the stress, on so many ranks: what it ends with.
+Outcome grown_under_stress_on(int ranks)
+{
+  const std::string report =
+      "variable stress equal f_grow[2]\nvariable friction equal f_grow[3]\n"
+      "variable loosest equal f_grow[4]\nvariable size equal f_grow\n"
+      "variable grains equal mass(all)\n"
+      "print \"stress ${stress}\"\nprint \"friction ${friction}\"\n"
+      "print \"loosest ${loosest}\"\nprint \"size ${size}\"\nprint \"grains ${grains}\"\n";
+  std::string deck = new_specimen(
+      "label growing\nrun 1000 post no\nvariable growing equal f_grow[1]\n"
+      "if \"${growing} > 0\" then \"jump SELF growing\"\n" +
+      report);
+  deck.replace(deck.find("porosity 0.38"), 13, "porosity 0.49");
+  deck.replace(deck.find(growth), growth.size(),
+               "fix grow all grow/radius from 0.5 stages 50 relax 50 stress 5e3 platens top bottom "
+               "side side\n");
+  return run_deck(deck, ranks);
+}
+
 /// A specimen consolidated on one rank.
 const TemporaryFolder& consolidated()
 {
@@ -93,4 +113,19 @@ TEST(CurvesOnRanks, TwoGiveTheCurvesOfOne)
 TEST(CurvesOnRanks, FourGiveTheCurvesOfOne)
 {
   expect_the_curves_of_one_rank(4);
+}
+
+// A packing under growth is chaotic: its grains are the same ones on any number of ranks, its
+// friction and its loosest porosity are those of another packing of the same kind.
+TEST(PackingOnRanks, GrowsToTheSamePorosityUnderTheSameStress)
+{
+  const Outcome one = grown_under_stress_on(1), two = grown_under_stress_on(2);
+  ASSERT_EQ(one.exit_code, 0) << one.output;
+  ASSERT_EQ(two.exit_code, 0) << two.output;
+  for (const Outcome* found : {&one, &two}) {
+    EXPECT_EQ(found->value("size"), 1.0);
+    EXPECT_LE(found->value("stress"), 5e3);
+  }
+  EXPECT_NEAR(two.value("grains"), one.value("grains"), 1e-12 * one.value("grains"));
+  EXPECT_NEAR(two.value("loosest"), one.value("loosest"), 0.02);
 }

@@ -1,5 +1,5 @@
 // A restart file that is cut off, or no restart file, is refused with a sentence; one that is whole
-// is read, whoever wrote it.
+// is read, whatever program wrote it.
 #include "files/restart_file.h"
 
 #include "core/input_error.h"
@@ -130,14 +130,23 @@ TEST_F(RestartFile, IsRefusedByTheProgramWithASentence)
   write(folder() / "random", random_bytes(random));
   write(folder() / "half", whole.substr(0, whole.size() / 2));
   write(folder() / "one_byte_less", whole.substr(0, whole.size() - 1));
-  for (const char* name : {"random", "half", "one_byte_less", "missing"})
+  std::vector<std::string> names{"random", "half", "one_byte_less", "missing"};
+  for (int n = 0; n < 4; ++n) {
+    names.push_back("cut_" + std::to_string(n));
+    write(folder() / names.back(), whole.substr(0, random() % whole.size()));
+    names.push_back("changed_" + std::to_string(n));
+    std::string changed = whole;
+    changed[random() % changed.size()] ^= 1;  // its seal tells
+    write(folder() / names.back(), changed);
+  }
+  for (const std::string& name : names)
     for (const int ranks : {1, 2}) {
-      if (ranks == 2 && name != std::string("half")) continue;
+      if (ranks == 2 && name != "half") continue;
       const Outcome outcome = run_deck(
           read_again + "read_restart " + name + "\nprint \"it was read\"\n", ranks, folder());
       EXPECT_EQ(outcome.exit_code, 1) << name << "\n" << outcome.output;
-      EXPECT_TRUE(outcome.says("'read_restart' must name a whole restart file, found '" +
-                               std::string(name) + "', which is "))
+      EXPECT_TRUE(outcome.says("'read_restart' must name a whole restart file, found '" + name +
+                               "', which is "))
           << outcome.output;
       EXPECT_FALSE(outcome.says("it was read"));
     }

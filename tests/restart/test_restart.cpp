@@ -38,7 +38,7 @@ std::string rest(const std::string& file)
 }
 
 /// Stops a new specimen `steps` after `before` and goes on, in the same process and, with `again`
-/// given anew, in another one; both must leave the same grains.
+/// given again, in another one; both must leave the same grains.
 void expect_the_same_run(const fs::path& folder, const std::string& before, long steps,
                          const std::string& again)
 {
@@ -129,6 +129,34 @@ TEST(Restart, GoesOnWhileRadiiGrow)
   expect_the_same_run(folder.path(), "", 613, growth);
 }
 
+// Stopped between two looks at the stress, with friction that is lower than the deck says, and
+// where a look is due in the next step.
+TEST(Restart, GoesOnWhileFrictionGivesWayToTheGrowth)
+{
+  const std::string minded =
+      "fix grow all grow/radius from 0.5 stages 50 relax 50 stress 5e3 platens top bottom side "
+      "side\n";
+  for (const long stop : {4613L, 4600L}) {
+    const TemporaryFolder folder;
+    const std::string during = "restart " + std::to_string(stop) + " during.*\n";
+    const std::string last = "run " + std::to_string(stop + 487) + " upto\n" +
+                             "variable friction equal f_grow[3]\nprint \"friction ${friction}\"\n" +
+                             picture("grains");
+    const auto with_growth = [&](std::string deck) {
+      deck.replace(deck.find(growth), growth.size(), minded);
+      return unsorted(deck);
+    };
+    const Outcome whole = run_deck(with_growth(new_specimen(during + last)), 1, folder.path());
+    ASSERT_EQ(whole.exit_code, 0) << whole.output;
+    EXPECT_LT(whole.value("friction"), 0.8);
+    EXPECT_GT(whole.value("friction"), 0.1);
+    const std::string grains = read_text(folder.path() / "grains");
+    run_in(folder.path(), unsorted(specimen_of("during." + std::to_string(stop), minded + last)));
+    EXPECT_GT(grains.size(), 10000u);
+    EXPECT_EQ(read_text(folder.path() / "grains"), grains) << "from step " << stop;
+  }
+}
+
 TEST(Restart, GoesOnInTheRampOfAServo)
 {
   const TemporaryFolder folder;
@@ -160,7 +188,7 @@ TEST(Restart, FromAFileWrittenDuringARunIsTheSameAsFromOneWrittenAfterIt)
   EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
 }
 
-// Inertia, stable step and equilibrium are found anew every 50 steps, and not where a run stops:
+// Inertia, stable step and equilibrium are found again every 50 steps, and not where a run stops:
 // the file of step 3937 goes on as the run that wrote it did.
 TEST(Restart, GoesOnAtAnyStepAsTheRunThatWroteTheFileWithoutAStop)
 {
@@ -181,7 +209,7 @@ TEST(Restart, GoesOnAtAnyStepAsTheRunThatWroteTheFileWithoutAStop)
   }
 }
 
-// The set-up of a run weighs all wall contacts against the inertia, a step only new ones: that must
+// The set-up of a run compares all wall contacts with the inertia, a step only new ones: that must
 // find nothing to raise, also where the wall is stiffer than the grains, whose sums per axis ask
 // less for an oblique contact than the contact itself does, and where radii have just grown.
 TEST(Restart, GoesOnAtAnyStepWhereTheWallIsStiff)

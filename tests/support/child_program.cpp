@@ -101,7 +101,7 @@ Outcome run_deck(const std::string& text, int ranks, const fs::path& folder,
   setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   // Ranks that wait let others work: on a busy machine five times faster than turning in circles.
   setenv("OMPI_MCA_mpi_yield_when_idle", "1", 1);
-  // One machine, and a rank alone has nobody to look for: half of a short deck's time.
+  // One machine, and a rank alone has no other to look for: half of a short deck's time.
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
   setenv("OMPI_MCA_pml", "ob1", 1);
   setenv("OMPI_MCA_btl", "self,vader", 1);

@@ -1,4 +1,4 @@
-#include "contact/coincident_grains.h"
+#include "contact/grain_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,3 @@
-#include "core/read_number.h"
-
 #include "core/input_error.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "dynamics/free_speed.h"
+#include "dynamics/inertia.h"
 
 #include <gtest/gtest.h>
 

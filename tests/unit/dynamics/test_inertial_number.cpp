@@ -1,4 +1,4 @@
-#include "dynamics/inertial_number.h"
+#include "dynamics/inertia.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "dynamics/mass_scaling.h"
 
+#include "dynamics/inertia.h"
 #include "dynamics/kick_grains.h"
-#include "dynamics/kinetic_energy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "measure/coordination.h"
+#include "measure/seen_contact.h"
 
 #include <gtest/gtest.h>
 

@@ -129,7 +129,7 @@ TEST(EnergyBalance, ForgetsNoEnergyThatWasGivenBack)
   now.elastic = 0.0;
   EXPECT_DOUBLE_EQ(balance.error(now), 2e-16);
   EnergyBalance resumed;
-  resumed.resume(balance.at_start(), balance.most());
+  resumed.resume({}, balance.most());
   EXPECT_EQ(resumed.error(now), balance.error(now));
   balance.start(now);
   EXPECT_EQ(balance.error({}), 1.0) << "a new start forgets it";

@@ -171,7 +171,7 @@ TEST(MeanDiameter, ByVolumeIsThatOfTheGrainAMeanBitOfSolidLiesIn)
 }
 
 // A wave that fits a periodic box: where in it the box begins cannot matter, so grains carried
-// round by a third of it keep their strains, and nobody lacks neighbours at a border.
+// round by a third of it keep their strains, and no grain lacks neighbours at a border.
 TEST(LocalStrain, InAPeriodicBoxIsTheSameWhereverItsBordersAre)
 {
   const PeriodicBox box{Vec3::Zero(), Vec3::Constant(0.05), {true, true, false}};

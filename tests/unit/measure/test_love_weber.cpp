@@ -1,4 +1,4 @@
-#include "measure/love_weber.h"
+#include "measure/seen_contact.h"
 
 #include <gtest/gtest.h>
 

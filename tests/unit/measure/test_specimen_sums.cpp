@@ -1,4 +1,4 @@
-#include "measure/specimen_columns.h"
+#include "measure/specimen_sums.h"
 
 #include <gtest/gtest.h>
 

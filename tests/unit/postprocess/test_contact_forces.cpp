@@ -1,4 +1,4 @@
-#include "analysis/contact_forces.h"
+#include "analysis/inside_specimen.h"
 
 #include "core/input_error.h"
 

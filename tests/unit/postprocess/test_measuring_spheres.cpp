@@ -1,4 +1,4 @@
-#include "analysis/measuring_spheres.h"
+#include "analysis/inside_specimen.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "analysis/mohr_coulomb.h"
+#include "analysis/strength.h"
 #include "core/constants.h"
 #include "core/input_error.h"
 

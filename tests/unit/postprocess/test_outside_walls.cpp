@@ -1,4 +1,4 @@
-#include "analysis/outside_walls.h"
+#include "analysis/run_checks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "analysis/peak_strength.h"
+#include "analysis/strength.h"
 #include "core/input_error.h"
 
 #include <gtest/gtest.h>

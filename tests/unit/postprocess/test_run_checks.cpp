@@ -1,4 +1,3 @@
-#include "analysis/grain_weight.h"
 #include "analysis/run_checks.h"
 #include "core/constants.h"
 

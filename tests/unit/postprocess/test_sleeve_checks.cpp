@@ -1,4 +1,4 @@
-#include "analysis/sleeve_checks.h"
+#include "analysis/sleeve_record.h"
 
 #include <gtest/gtest.h>
 

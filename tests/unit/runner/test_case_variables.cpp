@@ -1,7 +1,6 @@
 #include "runner/case_variables.h"
 
 #include "core/input_error.h"
-#include "runner/used_variables.h"
 
 #include <gtest/gtest.h>
 

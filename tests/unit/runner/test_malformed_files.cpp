@@ -1,10 +1,10 @@
 // Whatever lies in a file that a user writes or may spoil, the answer is one sentence.
 #include "core/input_error.h"
-#include "files/restart_seal.h"
+#include "files/restart_file.h"
 #include "runner/case_record.h"
-#include "runner/csv_rows.h"
+#include "runner/case_variables.h"
 #include "runner/series.h"
-#include "runner/used_variables.h"
+#include "runner/text_file.h"
 #include "support/child_program.h"
 
 #include <gtest/gtest.h>

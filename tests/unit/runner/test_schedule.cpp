@@ -1,4 +1,4 @@
-#include "runner/schedule.h"
+#include "runner/run_options.h"
 
 #include <gtest/gtest.h>
 

@@ -116,7 +116,7 @@ TEST(WallMotion, CountsItsPatienceInOneDirectionAndWithoutABreak)
   motion.speed(100, 1.0, {0.0, 1.0}, 1.0, 1e-6);
   EXPECT_TRUE(motion.is_out_of_reach());
   read(motion, {"servo", "60"});
-  EXPECT_FALSE(motion.is_out_of_reach()) << "a new target starts anew";
+  EXPECT_FALSE(motion.is_out_of_reach()) << "a new target starts the count again";
 }
 
 TEST(WallMotion, RefusesWhatContradictsItself)

@@ -11,7 +11,7 @@ namespace {
 void expect_equivalent(const FacetVectors& corner, const Vec3& point, const Vec3& force,
                        const Vec3& moment)
 {
-  const FacetVectors nodal = contact_to_nodes(corner, point, force, moment);
+  const FacetVectors nodal = FacetLever(corner, point).nodal_forces(force, moment);
   Vec3 force_sum = Vec3::Zero(), moment_sum = Vec3::Zero();
   double largest_force = force.norm(), largest_moment = moment.norm() + force.norm();
   for (int i = 0; i < 3; ++i) {
@@ -49,14 +49,15 @@ TEST(ContactToNodes, GivesAForceInTheFacetByItsAreaCoordinates)
   const FacetVectors corner = skew_triangle();
   const Vec3 share(0.2, 0.5, 0.3), force(1.0, -2.0, 3.0);
   const Vec3 point = share(0) * corner[0] + share(1) * corner[1] + share(2) * corner[2];
-  const FacetVectors nodal = contact_to_nodes(corner, point, force, Vec3::Zero());
+  const FacetVectors nodal = FacetLever(corner, point).nodal_forces(force, Vec3::Zero());
   for (int i = 0; i < 3; ++i) EXPECT_NEAR((nodal[i] - share(i) * force).norm(), 0.0, 1e-14);
 }
 
 TEST(ContactToNodes, GivesAForceAtANodeToThatNode)
 {
   const FacetVectors corner = skew_triangle();
-  const FacetVectors nodal = contact_to_nodes(corner, corner[2], Vec3::UnitX(), Vec3::Zero());
+  const FacetVectors nodal =
+      FacetLever(corner, corner[2]).nodal_forces(Vec3::UnitX(), Vec3::Zero());
   EXPECT_NEAR(nodal[0].norm() + nodal[1].norm(), 0.0, 1e-14);
   EXPECT_NEAR((nodal[2] - Vec3::UnitX()).norm(), 0.0, 1e-14);
 }

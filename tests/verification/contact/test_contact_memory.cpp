@@ -94,8 +94,8 @@ TEST(ContactMemory, IsGoneWhenAGrainLeavesAWallOfTheHostAndReturns)
                    sheared_parted_rejoined(""));
 }
 
-// A mesh of the host's asks for the host's list, which the host makes anew then: springs of the run
-// before must be there.
+// A mesh of the host's asks for the host's list, which the host makes again then: springs of the
+// run before must be there.
 TEST(ContactMemory, OutlivesAnotherChoiceOfListsBetweenTwoRuns)
 {
   const TemporaryFolder folder;
@@ -117,7 +117,7 @@ TEST(ContactMemory, OutlivesAnotherChoiceOfListsBetweenTwoRuns)
 
 // Grains that touch the cylinder are drawn along its axis, each at its speed, two of them from one
 // rank to the other. Springs that went lost or to another grain with any of the lists, which are
-// made anew with every step, would show: each must be as long as the way.
+// made again with every step, would show: each must be as long as the way.
 TEST(ContactMemory, OfAWallGoesWithItsGrainThroughListsAndRanks)
 {
   const double step = 1e-5, at = 0.0499 - radius + 5e-5;

@@ -92,7 +92,8 @@ TEST(FreeSpeed, DoesNotSlowAGrainInContact)
   EXPECT_NE(free, 0.10005);
 }
 
-// Where nobody looks, two half kicks are made in one pass; that must not show in the motion.
+// Where nothing reads velocities, two half kicks are made in one pass; that must not show in the
+// motion.
 TEST(FixMotion, GoesTheSameWayWhetherSomebodyLooksAtEachStepOrNot)
 {
   const std::string deck = material(7e6, 0.5) + grain(0, 0, 0.1) + grain(0.0199, 0, 0.1) +

@@ -2,25 +2,14 @@
 #include "files/mesh_file.h"
 
 #include "core/input_error.h"
-#include "shell/cylinder_mesh.h"
 #include "shell/surface_mesh.h"
 #include "support/child_program.h"
 
 #include <gtest/gtest.h>
 
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataWriter.h>
-#include <vtkSTLWriter.h>
-#include <vtkXMLPolyDataWriter.h>
-
 #include <array>
 #include <cstdint>
 #include <fstream>
-#include <map>
-#include <random>
 
 using namespace encased_column;
 using encased_column::testing::TemporaryFolder;
@@ -171,59 +160,4 @@ TEST_F(MeshFile, IsRefusedWithACoordinateThatIsNoNumber)
             "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex nan 0 0\nvertex 0 1 0\n"
             "endloop\nendfacet\nendsolid a\n");
   EXPECT_NE(refusal(path), "not refused");
-}
-
-TEST_F(MeshFile, CutOffAnywhereIsRefusedOrTheSameMesh)
-{
-  // A tube of 200 facets, as every format that VTK writes of it.
-  const SurfaceMesh tube = cylinder_mesh({0.05, 0.0, 0.1, 0.0157});
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Vec3& node : tube.node) points->InsertNextPoint(node.data());
-  vtkNew<vtkCellArray> cells;
-  for (const Facet& facet : tube.facet) cells->InsertNextCell({facet[0], facet[1], facet[2]});
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(points);
-  surface->SetPolys(cells);
-  std::map<std::string, std::string> texts;
-  const auto keep = [&](const std::string& name, auto& writer) {
-    const std::string path = folder_.path() / name;
-    writer.SetInputData(surface);
-    writer.SetFileName(path.c_str());
-    writer.Write();
-    texts[name] = encased_column::testing::read_text(path);
-  };
-  vtkNew<vtkSTLWriter> stl;
-  stl->SetFileTypeToASCII();
-  keep("text.stl", *stl);
-  stl->SetFileTypeToBinary();
-  keep("bytes.stl", *stl);
-  vtkNew<vtkPolyDataWriter> vtk;
-  keep("text.vtk", *vtk);
-  vtk->SetFileTypeToBinary();
-  keep("bytes.vtk", *vtk);
-  vtkNew<vtkXMLPolyDataWriter> vtp;
-  keep("appended.vtp", *vtp);
-  vtp->SetDataModeToAscii();
-  keep("text.vtp", *vtp);
-
-  std::minstd_rand random(1);
-  for (const auto& [name, text] : texts) {
-    const SurfaceMesh whole = welded(read_mesh_file(write("whole_" + name, text)));
-    ASSERT_EQ(whole.facet.size(), tube.facet.size()) << name;
-    int refused = 0;
-    for (int n = 0; n < 100; ++n) {
-      const std::size_t size = n == 0 ? text.size() - 1 : random() % text.size();
-      const std::string path = write("cut_" + name, text.substr(0, size));
-      try {
-        const SurfaceMesh mesh = welded(read_mesh_file(path));
-        EXPECT_EQ(mesh.facet, whole.facet) << name << " cut at " << size;
-        EXPECT_EQ(mesh.node, whole.node) << name << " cut at " << size;
-      } catch (const InputError& problem) {
-        ++refused;
-        EXPECT_EQ(std::string(problem.what()).find("'file' must "), 0u) << problem.what();
-      }
-    }
-    EXPECT_GT(refused, 80) << name;
-  }
 }

@@ -16,7 +16,7 @@ inline constexpr double q_top = 900e3, q_bottom = 300e3, q_plain = 146e3;  // Pa
 void write_case(const std::filesystem::path& folder, const std::string& kind, bool core = true,
                 double factor = 1.0);
 
-/// Writes its case.json anew, with these variables: `"sigma3": 50000, "resolution": "quick"`.
+/// Rewrites its case.json with these variables: `"sigma3": 50000, "resolution": "quick"`.
 void describe_case(const std::filesystem::path& folder, const std::string& kind,
                    const std::string& variables);
 

@@ -2,7 +2,7 @@
 // what the program ends with.
 #include "closed_form_case.h"
 #include "files/pvd_collection.h"
-#include "files/vtk_grains_writer.h"
+#include "files/vtk_files.h"
 #include "support/child_program.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,7 @@
 // 3-D pictures of grains and contacts that are known: a column of two halves, and three bars in it.
 #include "closed_form_case.h"
 #include "files/pvd_collection.h"
-#include "files/vtk_contacts_writer.h"
-#include "files/vtk_grains_writer.h"
+#include "files/vtk_files.h"
 #include "picture_pixels.h"
 #include "support/child_program.h"
 

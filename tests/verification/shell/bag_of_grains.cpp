@@ -2,6 +2,7 @@
 
 #include "core/constants.h"
 #include "shell/cylinder_mesh.h"
+#include "support/shell_oracles.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -161,14 +162,14 @@ double BagOfGrains::step()
 
 Vec3 BagOfGrains::linear_momentum() const
 {
-  Vec3 sum = model_.linear_momentum();
+  Vec3 sum = encased_column::linear_momentum(model_);
   for (const Grain& g : grain_) sum += mass * g.v;
   return sum;
 }
 
 Vec3 BagOfGrains::angular_momentum() const
 {
-  Vec3 sum = model_.angular_momentum();
+  Vec3 sum = encased_column::angular_momentum(model_);
   for (const Grain& g : grain_) sum += mass * g.x.cross(g.v) + inertia * g.w;
   return sum;
 }

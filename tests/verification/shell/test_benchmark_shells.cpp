@@ -1,6 +1,7 @@
 #include "static_shell.h"
 
 #include "core/constants.h"
+#include "support/shell_oracles.h"
 
 #include <gtest/gtest.h>
 

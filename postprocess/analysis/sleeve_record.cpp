@@ -1,0 +1,51 @@
+#include "analysis/sleeve_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace encased_column {
+
+std::vector<SleeveProfile> profiles_of(const ProfileColumns& columns)
+{
+  std::map<double, SleeveProfile> by_step;
+  for (std::size_t row = 0; row < columns.step.size(); ++row) {
+    SleeveProfile& profile = by_step[columns.step[row]];
+    if (row == 0 || columns.step[row] != columns.step[row - 1])
+      profile = {columns.axial_strain[row], {}, {}};
+    profile.height.push_back(columns.height[row]);
+    profile.radial_displacement.push_back(columns.radial_displacement[row]);
+  }
+  std::vector<SleeveProfile> profiles;
+  for (const auto& [step, profile] : by_step) profiles.push_back(profile);
+  return profiles;
+}
+
+std::vector<std::size_t> nearest_places(const std::vector<double>& strains,
+                                        const std::vector<double>& wanted, double tolerance)
+{
+  std::vector<std::size_t> places;
+  for (const double strain : wanted) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < strains.size(); ++i)
+      if (std::abs(strains[i] - strain) < std::abs(strains[best] - strain)) best = i;
+    if (strains.empty() || std::abs(strains[best] - strain) > tolerance) continue;
+    if (places.empty() || places.back() != best) places.push_back(best);
+  }
+  return places;
+}
+
+std::vector<Check> sleeve_checks(const SleeveRecord& record, const StripLimit& limit)
+{
+  const auto largest = [](const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+  };
+  return {
+      {"hoop tension of the sleeve, largest, within the strip test [kN/m]",
+       largest(record.hoop_tension_max) / 1e3, limit.tension / 1e3, false},
+      {"hoop strain of the sleeve, largest, within the strip test", largest(record.hoop_strain_max),
+       limit.strain, false},
+  };
+}
+
+}  // namespace encased_column

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "drawing/figure.h"
+#include "reading/targets.h"
+#include "tables/evaluation.h"
+
+#include <vector>
+
+namespace encased_column {
+
+/// What only encased tests have, a panel for each test: radial_strain (at three heights, with the
+/// study's end values), platens (q of both, with the closed form), radial_profile (along the
+/// height) and hoop_tension (mean and largest, with the limit of the strip test); and
+/// radial_expansion, along the height of all tests at the study's 12 and 24 mm of displacement.
+/// Leaves out what the runs did not write; nothing without encased tests.
+std::vector<Figure> sleeve_figures(const std::vector<SetResult>& sets, const Targets& targets);
+
+/// deviatoric_stress and volumetric_strain over axial strain, one curve for each test, and p_q, the
+/// peaks with the fitted and the published failure lines of each set. Where a folder holds plain
+/// and encased tests, the plain ones are dashed.
+std::vector<Figure> triaxial_figures(const std::vector<SetResult>& sets, const Targets& targets);
+
+/// How the load went in, one curve for each test: pressure_displacement, the pressure on each
+/// platen over the displacement, and stress_path, q over p at the boundary and of the grains in the
+/// middle third, with the published failure lines.
+std::vector<Figure> load_figures(const std::vector<SetResult>& sets, const Targets& targets);
+
+/// Inside the column, from its measuring spheres, for each test that has them: column_stress_<id>
+/// along the height, column_porosity_<id> and column_coordination_<id> over displacement and along
+/// the height, and contact_force_<id> over axial strain, with those of the whole specimen if the
+/// run wrote them.
+std::vector<Figure> column_figures(const std::vector<SetResult>& sets);
+
+/// How well the runs went: unbalanced ratio, inertial number, platen difference of plain tests,
+/// over axial strain.
+Figure check_figure(const std::vector<SetResult>& sets);
+
+/// energy_<id>: where the work of each test went.
+std::vector<Figure> energy_figures(const std::vector<SetResult>& sets);
+
+}  // namespace encased_column

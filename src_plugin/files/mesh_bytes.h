@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace encased_column {
+
+/// Whether the bytes of a mesh file are all there, and what they say of their own sizes is so.
+/// VTK's readers take what they find of a file that ends too early, and numbers in it for sizes of
+/// memory and loops. `kind` is ".stl", ".vtk" or ".vtp".
+bool is_whole_mesh(const std::string& kind, const std::string& bytes);
+
+}  // namespace encased_column
