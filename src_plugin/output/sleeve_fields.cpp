@@ -58,12 +58,14 @@ std::vector<SurfaceField> sleeve_facet_fields(const ShellModel& model)
   fields.push_back(field<1>("energy [J]", model.facets(), [&](int f) {
     return state[f].membrane_energy + state[f].bending_energy;
   }));
-  const auto add_memory = [&](const char* name, const auto& value) {
-    fields.push_back(field<1>(name, model.facets(), [&](int f) { return value(model.memory(f)); }));
-  };
-  add_memory("plastic_hoop_strain [-]", [](const FacetMemory& m) { return m.plastic_strain[0]; });
-  add_memory("plastic_axial_strain [-]", [](const FacetMemory& m) { return m.plastic_strain[1]; });
-  add_memory("damage [-]", [](const FacetMemory& m) { return std::max(m.damage[0], m.damage[1]); });
+  for (int i = 0; i < 2; ++i)
+    fields.push_back(field<1>(i == 0 ? "plastic_hoop_strain [-]" : "plastic_axial_strain [-]",
+                              model.facets(),
+                              [&](int f) { return model.memory(f).plastic_strain[i]; }));
+  fields.push_back(field<1>("damage [-]", model.facets(), [&](int f) {
+    const FacetMemory memory = model.memory(f);
+    return std::max(memory.damage[0], memory.damage[1]);
+  }));
   return fields;
 }
 

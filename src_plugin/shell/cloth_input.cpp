@@ -1,7 +1,6 @@
 #include "shell/cloth_input.h"
 
 #include "core/constants.h"
-#include "core/input_error.h"
 #include "files/number_table.h"
 
 namespace encased_column {

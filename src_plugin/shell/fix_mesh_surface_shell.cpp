@@ -48,7 +48,7 @@ FixMeshSurfaceShell::FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char*
   style = std::strcpy(new char[sizeof("sleeve")], "sleeve");
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 18;
+  size_vector = numbers;
   global_freq = 1;
   extvector = 0;
 }
@@ -190,30 +190,31 @@ void FixMeshSurfaceShell::final_integrate()
     if (comm->me == 0) error->warning(FLERR, sentence.c_str());
 }
 
+// Each number by its own way: some add up over the ranks.
 double FixMeshSurfaceShell::compute_vector(int n)
 {
-  using Self = FixMeshSurfaceShell;
-  static constexpr double (*values[])(Self&) = {
-      [](Self& s) { return s.pressure_now(); },
-      [](Self& s) { return s.summary().hoop_tension; },
-      [](Self& s) { return s.summary().hoop_tension_max; },
-      [](Self& s) { return s.summary().hoop_strain; },
-      [](Self& s) { return s.summary().hoop_strain_max; },
-      [](Self& s) { return s.axial_force(true); },
-      [](Self& s) { return s.axial_force(false); },
-      [](Self& s) { return s.friction_force(); },
-      [](Self& s) { return s.enclosed_volume(s.window().low, s.window().high); },
-      [](Self& s) { return s.stored_energy(); },
-      [](Self& s) { return s.kinetic_energy(); },
-      [](Self& s) { return s.work(); },
-      [](Self& s) { return s.damping_loss(); },
-      [](Self& s) { return s.sleeve_->mass_factor(); },
-      [](Self& s) { return static_cast<double>(s.sleeve_->ramp_left(s.update->ntimestep)); },
-      [](Self& s) { return s.summary().plastic_hoop_strain_max; },
-      [](Self& s) { return s.summary().damage_max; },
-      [](Self& s) { return s.yielding_loss(); },
+  using Fix = FixMeshSurfaceShell;
+  static constexpr double (*number[numbers])(Fix&) = {
+      [](Fix& f) { return f.pressure_now(); },
+      [](Fix& f) { return f.summary().hoop_tension; },
+      [](Fix& f) { return f.summary().hoop_tension_max; },
+      [](Fix& f) { return f.summary().hoop_strain; },
+      [](Fix& f) { return f.summary().hoop_strain_max; },
+      [](Fix& f) { return f.axial_force(true); },
+      [](Fix& f) { return f.axial_force(false); },
+      [](Fix& f) { return f.friction_force(); },
+      [](Fix& f) { return f.enclosed_volume(f.window().low, f.window().high); },
+      [](Fix& f) { return f.stored_energy(); },
+      [](Fix& f) { return f.kinetic_energy(); },
+      [](Fix& f) { return f.work(); },
+      [](Fix& f) { return f.damping_loss(); },
+      [](Fix& f) { return f.sleeve_->mass_factor(); },
+      [](Fix& f) { return static_cast<double>(f.sleeve_->ramp_left(f.update->ntimestep)); },
+      [](Fix& f) { return f.summary().plastic_hoop_strain_max; },
+      [](Fix& f) { return f.summary().damage_max; },
+      [](Fix& f) { return f.yielding_loss(); },
   };
-  return values[n](*this);
+  return number[n](*this);
 }
 
 void FixMeshSurfaceShell::write_restart(FILE* file)

@@ -19,6 +19,7 @@ namespace encased_column {
 class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
  public:
   static const KeywordTable keywords;
+  static constexpr int numbers = 18;  ///< of compute_vector()
 
   FixMeshSurfaceShell(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 

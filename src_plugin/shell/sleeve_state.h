@@ -61,8 +61,8 @@ inline std::string advice_for(long released, const std::string& otherwise)
          "pack them looser, write a larger 'thickness' or 'modulus' or longer facets";
 }
 
-/// The first of facets [first, last) that is torn through, as a sentence; `axis` is a point of the
-/// center line.
+/// The first of facets [first, last) that is torn through, as a sentence with its place in the
+/// sleeve without load; `axis` is a point of the center line.
 inline std::optional<std::string> torn_facet(const ShellModel& model, int first, int last,
                                              const Vec3& axis)
 {
@@ -70,8 +70,8 @@ inline std::optional<std::string> torn_facet(const ShellModel& model, int first,
   for (int f = first; f < last; ++f)
     for (int i = 0; i < 2; ++i) {
       if (model.memory(f).damage[i] < Cloth::torn) continue;
-      const FacetVectors x = model.corners(f);
-      const Vec3 center = (x[0] + x[1] + x[2]) / 3.0 - axis;
+      Vec3 center = -axis;
+      for (const int node : model.facet()[f]) center += model.reference()[node] / 3.0;
       const double degrees = std::atan2(center.y(), center.x()) * 180.0 / pi;
       return "facet " + std::to_string(f) + " of the sleeve is torn through" +
              (i == 0 ? " by its hoop tension" : " by its axial tension") + " at height " +
@@ -96,7 +96,7 @@ inline std::optional<std::string> fault_of_facets(const ShellModel& model, int f
              " of the sleeve has a position that is not a number, go back to the last restart file "
              "with a smaller step";
     const FacetMemory memory = model.memory(f);
-    if (std::max(memory.damage[0], memory.damage[1]) >= Cloth::torn) continue;  // it opens freely
+    if (memory.damage[0] > 0.0 || memory.damage[1] > 0.0) continue;  // it opens as it tears
     const FacetState state = model.facet_state(f);
     // What wrinkles is not compressed: its strain is that of the plane it has left.
     const double pushed = model.material().constants().tension_only ? 0.0 : -state.smallest_strain;

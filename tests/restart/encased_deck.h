@@ -40,22 +40,24 @@ inline const std::string encased_shear =
     encased_consolidation + history + "fix_modify bottom velocity 1e-6\n";
 
 /// The whole deck of a new encased specimen up to `commands`.
-inline std::string new_encased_specimen(const std::string& commands)
+inline std::string new_encased_specimen(const std::string& commands, const std::string& more = "")
 {
-  return host + box + materials_and_sleeve("rigid yes") + grains + motion + growth + commands;
+  return host + box + materials_and_sleeve("rigid yes " + more) + grains + motion + growth +
+         commands;
 }
 
 /// A deck that reads the restart file `file` of one that was released and goes on with `commands`.
-inline std::string encased_specimen_of(const std::string& file, const std::string& commands)
+inline std::string encased_specimen_of(const std::string& file, const std::string& commands,
+                                       const std::string& more = "")
 {
-  return host + "read_restart " + file + "\n" + materials_and_sleeve("") + motion + commands;
+  return host + "read_restart " + file + "\n" + materials_and_sleeve(more) + motion + commands;
 }
 
 /// Numbers of the sleeve with all their digits, added to `file`.
 inline std::string sleeve_numbers(const std::string& file)
 {
   std::string lines, names;
-  for (int n = 1; n <= 14; ++n) {
+  for (int n = 1; n <= 18; ++n) {
     const std::string name = "sleeve" + std::to_string(n);
     lines += "variable " + name + " equal f_side[" + std::to_string(n) + "]\n";
     names += " ${" + name + "}";

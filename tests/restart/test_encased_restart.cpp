@@ -45,6 +45,39 @@ TEST(EncasedRestart, GoesOnInShearAndWithTheHistory)
   expect_the_same_run(encased_shear + "run 413\n", "");
 }
 
+// Part of the facets have yielded, or begun to tear and are not through.
+TEST(EncasedRestart, GoesOnInsideATear)
+{
+  for (const std::string after :
+       {"after_strength yield", "after_strength tear fracture_energy 0.3 when_torn go_on"}) {
+    const std::string cloth = "tension_only yes strength 60 60 seam 0.7 " + after;
+    const TemporaryFolder folder;
+    const std::string damage =
+        "variable plastic equal f_side[16]\nvariable damage equal f_side[17]\n"
+        "print \"plastic ${plastic}\"\nprint \"damage ${damage}\"\n";
+    const Outcome first = run_deck(
+        new_encased_specimen(
+            encased_shear + "run 413\nwrite_restart stop\n" + damage + rest("whole"), cloth),
+        1, folder.path());
+    ASSERT_EQ(first.exit_code, 0) << first.output;
+    EXPECT_GT(first.value("plastic") + first.value("damage"), 0.0) << first.output;
+    run_in(folder.path(), encased_specimen_of("stop", rest("parts"), cloth));
+    EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
+  }
+}
+
+TEST(EncasedRestart, RefusesTheFileOfAnotherCloth)
+{
+  const TemporaryFolder folder;
+  run_in(folder.path(), new_encased_specimen("run 10\nwrite_restart stop\n"));
+  const Outcome outcome =
+      run_deck(encased_specimen_of("stop", "run 1\n", "strength 60 60 after_strength yield"), 1,
+               folder.path());
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_TRUE(outcome.says("remembers plastic strain and damage of 0 facets, this one of "))
+      << outcome.output;
+}
+
 // The file holds what a rigid sleeve has; its release then finds masses as in the run that went on.
 TEST(EncasedRestart, ReleasesASleeveThatWasRigidAsTheRunThatWentOn)
 {

@@ -14,15 +14,18 @@ namespace {
 constexpr double tube_radius = 0.05, tube_height = 0.06, tube_modulus = 11.5e6,
                  tube_thickness = 0.01;
 
-Sleeve cloth(const NodalMassRule& rule = {}, const ClothConstants& strength = {},
-             double poisson = 0.3)
+ShellConstants cloth_constants()
 {
   ShellConstants c;
   c.modulus_hoop = tube_modulus;
-  c.poisson = poisson;
+  c.poisson = 0.3;
   c.thickness = tube_thickness;
   c.density = 30.0;
-  c.cloth = strength;
+  return c;
+}
+
+Sleeve cloth(const NodalMassRule& rule = {}, const ShellConstants& c = cloth_constants())
+{
   return Sleeve(cylinder_mesh(TubeShape{tube_radius, 0.0, tube_height, 0.01}), c, rule);
 }
 
@@ -281,9 +284,9 @@ TEST(Sleeve, SaysWhichGrainIsBehindWhichFacet)
 
 TEST(Sleeve, WarnsOnceOfAPlatenBeyondItsEndAndOfItsStrength)
 {
-  ClothConstants strength;
-  strength.strength = {10.0, 1e4};
-  Sleeve sleeve = cloth({}, strength);
+  ShellConstants c = cloth_constants();
+  c.cloth.strength = {10.0, 1e4};
+  Sleeve sleeve = cloth({}, c);
   sleeve.set_control(with_ends(SleeveEnd::free, SleeveEnd::free), 0);
   sleeve.set_pressure(-1e3, 1, 0);
   Stepper stepper(sleeve);
@@ -298,27 +301,30 @@ TEST(Sleeve, WarnsOnceOfAPlatenBeyondItsEndAndOfItsStrength)
   EXPECT_TRUE(sleeve.warnings(window, "side", {"top", "bottom"}, stepper.step()).empty());
 }
 
-// It bears p = s N_u / (R0 (1 + e)) at e = s N_u / J, and its polygon cos(pi / 31) less.
+// It bears p = s N_u / (R0 (1 + e)) at e = s N_u / J; its polygon of 31 sides 1 / cos(pi / 31) of
+// it. Hardly any bending, which would bridge the tear, and no contraction along the axis.
 TEST(Sleeve, BurstsAtItsSeam)
 {
-  ClothConstants strength;
-  strength.strength = {9200.0, 9200.0};
-  strength.after = AfterStrength::tear;
-  strength.fracture_energy = 100.0;
-  strength.seam = 0.7;
-  strength.seam_angle = pi / 3.0;
-  Sleeve sleeve = cloth({}, strength, 0.0);
+  ShellConstants c = cloth_constants();
+  c.poisson = 0.0;
+  c.bending_thickness = 1e-3;
+  c.cloth.strength = {9200.0, 9200.0};
+  c.cloth.after = AfterStrength::tear;
+  c.cloth.fracture_energy = 30.0;
+  c.cloth.seam = 0.7;
+  c.cloth.seam_angle = pi / 3.0;
+  Sleeve sleeve = cloth({}, c);
   sleeve.set_control(with_ends(SleeveEnd::free, SleeveEnd::free), 0);
   const double tension = 0.7 * 9200.0, e = tension / (tube_modulus * tube_thickness);
   const double burst = tension / (tube_radius * (1.0 + e)) / std::cos(pi / 31.0);
-  sleeve.set_pressure(-0.99 * burst, 1000, 0);
+  sleeve.set_pressure(-0.99 * burst, 3000, 0);
   Stepper stepper(sleeve);
   stepper.set_up();
-  stepper.run(2000);
+  stepper.run(3500);
   EXPECT_EQ(summary_of(sleeve.model(), HeightWindow()).damage_max, 0.0);
   EXPECT_FALSE(sleeve.fault(stepper.step()));
   sleeve.set_pressure(-1.01 * burst, 100, stepper.step());
-  for (int n = 0; n < 20 && !sleeve.fault(stepper.step()); ++n) stepper.run(100);
+  for (int n = 0; n < 100 && !sleeve.fault(stepper.step()); ++n) stepper.run(50);
   const auto fault = sleeve.fault(stepper.step());
   ASSERT_TRUE(fault);
   EXPECT_NE(fault->find("is torn through by its hoop tension at height"), std::string::npos)
