@@ -97,7 +97,7 @@ PackingLimits read_packing_limits(std::istream& in, const std::string& file,
   if (rows == 0)
     throw InputError("'limits' must have a row for this packing, found none in " + file + " for " +
                      in_words(wanted) +
-                     ", make one with the deck packing_limits.lmp and add it to the table");
+                     ", make one with the deck packing_limits/limits.lmp and add it to the table");
   return {sum.loosest / rows, sum.densest / rows};
 }
 

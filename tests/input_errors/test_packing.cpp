@@ -140,5 +140,5 @@ TEST(Packing, RefusesLimitsOfAnotherPacking)
                  packing(one_class, "relative_density 0.8 limits " ENCASE_SOURCE
                                     "/input_scripts/common/packing_limits.csv 0.7 0.5"),
                  "for gravel.csv log_uniform, finest 0 m, radius 0.05 m, height 0.2 m, friction "
-                 "0.7, rolling friction 0.5, make one with the deck packing_limits.lmp");
+                 "0.7, rolling friction 0.5, make one with the deck packing_limits/limits.lmp");
 }

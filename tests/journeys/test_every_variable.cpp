@@ -114,7 +114,7 @@ class EveryVariable : public ::testing::Test {
   void SetUp() override
   {
     prepare_small_cases(folder_.path());
-    // What the deck packing_limits.lmp finds for the grains of the second values.
+    // What the deck packing_limits/limits.lmp finds for the grains of the second values.
     std::ofstream(folder_.path() / "common/packing_limits.csv", std::ios::app)
         << "gradation_cinder_gravel.csv,uniform_number,0.01,0.031,0.061,0.79,0.011,7.1e6,5e3,1,"
            "0.5021,0.4424\n";

@@ -23,7 +23,7 @@ Growth grow_on(int ranks)
 {
   const TemporaryFolder folder;
   const std::string deck = plain_triaxial_deck();
-  const std::size_t end = deck.find("\nrun ");
+  const std::size_t end = deck.find("\nif \"${stress_packing} == 0\" then \"run ");
   EXPECT_NE(end, std::string::npos);
   const Outcome outcome = run_small_triaxial(folder.path(), ranks, deck.substr(0, end) + R"(
 run 2900
