@@ -4,6 +4,7 @@
 #include "shell/seam.h"
 #include "shell/sleeve_state.h"
 #include "shell_cases.h"
+#include "support/shell_oracles.h"
 
 #include <gtest/gtest.h>
 
