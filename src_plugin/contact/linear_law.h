@@ -90,7 +90,8 @@ inline double slider_slack(bool advance)
 /// `n` the unit normal (either sense). The loss of the slider is the mean of the shear force before
 /// and after, times the slip the spring gave up, all in the middle of the turn: with it the
 /// trapezoidal work of the contact force that turns along is exactly stored + lost. Source: Itasca
-/// PFC, linear model; Cundall and Strack (1979), Geotechnique 29, 47-65.
+/// PFC, linear model; Cundall and Strack (1979), Geotechnique 29, 47-65. contact_batch.cpp has the
+/// same law written out for vector units, and says what one template for both would cost.
 [[gnu::always_inline]] inline ContactForce linear_contact(const ContactMaterial& m,
                                                           const ContactStiffness& k, double overlap,
                                                           double mass, const ContactVelocity& v,

@@ -7,7 +7,7 @@
 #include "host/restart_block.h"
 #include "host/run_clock.h"
 
-#include <cmath>
+#include <utility>
 
 namespace encased_column {
 
@@ -21,12 +21,9 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }
-  time_integrate = 1;
-  time_depend = 1;  // contacts remember step numbers
-  restart_global = 1;
-  vector_flag = 1;
+  time_integrate = time_depend = 1;  // contacts remember step numbers
+  restart_global = vector_flag = global_freq = 1;
   size_vector = 7;
-  global_freq = 1;
   extvector = 0;
 }
 
@@ -94,8 +91,7 @@ void FixMotion::setup_pre_force(int)
 // restart file: there the file says so.
 void FixMotion::setup(int)
 {
-  if (restored_made_grains_) made_grains_ = true;
-  restored_made_grains_ = false;
+  if (std::exchange(restored_made_grains_, false)) made_grains_ = true;
   if (masses_ == Masses::wanted_in_set_up) find_all_in_set_up();
 }
 
@@ -128,25 +124,22 @@ void FixMotion::set_step()
   update->dt = found_.stable_step;
 }
 
-double FixMotion::add_grains(ForceSums& sums)
-{
-  if (atom->nlocal == 0) return 0.0;
-  return sums.add_grains({atom->f[0], loads_.load(atom->nlocal), atom->rmass,
-                          force_start_.gravity().norm(), atom->mask, groupbit, atom->nlocal});
-}
-
 void FixMotion::compute_unbalanced_ratio()
 {
   ForceSums sums = loads_.sums();
-  const double largest = add_grains(sums);
+  const StepGrains g = grains();
+  const double largest_here =
+      sums.add_grains({g.force, loads_.load(g.count), g.mass, force_start_.gravity().norm(),
+                       atom->mask, groupbit, g.count});
+  const double largest = max_over_ranks(largest_here, world);
   sum_over_ranks(&sums.unbalanced, sizeof(ForceSums) / sizeof(double), world);
-  if (!std::isfinite(sums.unbalanced + sums.contact))
+  if (!sums.is_finite())
     error->fix_error(
         FLERR, this,
         ("the forces on the grains are not numbers at step " + std::to_string(update->ntimestep) +
          ", go back to the last restart file with a smaller step")
             .c_str());
-  ratio_ = encased_column::compute_unbalanced_ratio(sums, max_over_ranks(largest, world));
+  ratio_ = encased_column::compute_unbalanced_ratio(sums, largest);
 }
 
 void FixMotion::initial_integrate(int)

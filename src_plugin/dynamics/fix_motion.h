@@ -70,8 +70,6 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
   void admit_new_grains();
   void find_masses();
   void find_all_in_set_up();
-  /// Of this rank; returns the largest unbalanced force [N].
-  double add_grains(ForceSums& sums);
   void complete_step() { motion_.complete_step(grains(), mass_scaling, update->dt); }
   void set_step();
   std::vector<double*> saved();

@@ -3,6 +3,7 @@
 #include "core/vec3.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace encased_column {
@@ -29,6 +30,7 @@ struct ForceSums {
   double contact = 0.0;             ///< of the contact forces [N]
   double contacts = 0.0;
 
+  bool is_finite() const { return std::isfinite(unbalanced + contact); }
   /// Grains as add_grains() sees them: unbalanced `force` [N] in triples, `load` [N], the sum of
   /// the sizes of all contact forces on the grain, and `mass` [kg] under an acceleration `gravity`
   /// [m/s^2]; those count that `mask` and `group` pick out.

@@ -69,7 +69,7 @@ class ClothFacets {
   void set_memory(int facet, const FacetMemory& memory);
 
   /// Facets [first, last) get the memory they asked for, unless `at_set_up`; either way they ask
-  /// anew from their next loads.
+  /// again from their next loads.
   void advance(int first, int last, bool at_set_up);
   /// Lets the facets [first, last) of a batch ask for what their loads want.
   void ask(int batch, int first, int last, const ClothForces& forces);

@@ -169,11 +169,12 @@ solve ratio average 0
 
 TEST(Solve, RefusesARatioItDoesNotKnow)
 {
-  expect_refused("two_grains", R"(
+  expect_refused(
+      "two_grains", R"(
 unfix move
 fix   move all motion
 solve ratio mean 1e-5
 )",
-                 "'ratio' must be one of: average, maximum; found 'mean', write for example 'ratio "
-                 "average 1e-5'");
+      "'ratio' must be one of: average, maximum, bearing; found 'mean', write for example 'ratio "
+      "average 1e-5'");
 }

@@ -141,6 +141,57 @@ TEST(Sleeve, EndsAreHeldAsTheirNamesSay)
   }
 }
 
+// What the platen puts in is stored or damped.
+TEST(Sleeve, LowerPlatenCarriesItsEndUpwardsAndWorksOnIt)
+{
+  Sleeve sleeve = cloth();
+  sleeve.set_control(with_ends(SleeveEnd::held, SleeveEnd::platen), 0);
+  Stepper stepper(sleeve);
+  stepper.set_up();
+  stepper.run(200, 0.0, 1e-6);
+  for (const int node : sleeve.end_nodes(false))
+    EXPECT_NEAR(sleeve.model().position()[node].z() - sleeve.model().reference()[node].z(), 200e-6,
+                1e-15);
+  stepper.run(800);
+  EXPECT_GT(sleeve.support_work(), 0.0);
+  EXPECT_NEAR(sleeve.support_work(), sleeve.energy() + sleeve.damping_loss(),
+              0.01 * sleeve.support_work());
+}
+
+TEST(Sleeve, OfAMeshThatIsInsideOutEnclosesItsVolume)
+{
+  SurfaceMesh mesh = cylinder_mesh(TubeShape{tube_radius, 0.0, tube_height, 0.01});
+  for (Facet& facet : mesh.facet) std::swap(facet[1], facet[2]);
+  ShellConstants constants;
+  constants.modulus_hoop = tube_modulus;
+  constants.thickness = tube_thickness;
+  constants.density = 30.0;
+  const Sleeve sleeve(mesh, constants, {});
+  const double volume = pi * tube_radius * tube_radius * tube_height;
+  EXPECT_NEAR(sleeve.enclosed_volume(HeightWindow()), volume, 0.01 * volume);
+}
+
+TEST(Sleeve, ThatLiesIsRefused)
+{
+  SurfaceMesh mesh = cylinder_mesh(TubeShape{tube_radius, 0.0, tube_height, 0.01});
+  for (Vec3& node : mesh.node) node = Vec3(node.z(), node.x(), node.y());
+  ShellConstants constants;
+  constants.modulus_hoop = tube_modulus;
+  constants.thickness = tube_thickness;
+  constants.density = 30.0;
+  EXPECT_THROW(Sleeve(mesh, constants, {}), InputError);
+}
+
+TEST(Sleeve, CountsGrainsOutsideOfItsWallAndOfTheWindow)
+{
+  const Sleeve sleeve = cloth();
+  const double centers[] = {0.0, 0.0, 0.03, 0.06, 0.0, 0.03, 0.0, 0.0, 0.055, 0.0, 0.0, 0.005};
+  EXPECT_EQ(sleeve.count_outside(centers, 1, {0.01, 0.05}), 0);
+  EXPECT_EQ(sleeve.count_outside(centers, 2, {0.01, 0.05}), 1);
+  EXPECT_EQ(sleeve.count_outside(centers, 3, {0.01, 0.05}), 2);
+  EXPECT_EQ(sleeve.count_outside(centers, 4, {0.01, 0.05}), 3);
+}
+
 TEST(Sleeve, WhileItIsRigidStandsStillUnderAnyLoad)
 {
   Sleeve sleeve = cloth();
