@@ -42,7 +42,7 @@ const std::vector<Keyword>& cloth_keywords()
       {"seam", 1, "-",
        "share of the hoop strength that a line of facets along the axis keeps (default 1: no "
        "seam)"},
-      {"seam_angle", 1, "deg", "with `seam`: where it stands, counted from x (default 0)"},
+      {"seam_angle", 1, "deg", "with `seam`: where it stands, counted from x; 0 if left out"},
       {"when_torn", 1, "-",
        "`stop` (default): the run ends at the first facet torn through; or `go_on`"},
   };

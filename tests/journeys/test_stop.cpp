@@ -76,7 +76,7 @@ class Stop : public ::testing::Test {
   {
     {
       RunningCommand command(folder_->path(), out, options("plain", ranks));
-      ASSERT_TRUE(command.wait_until([&] { return has(out, "plain", "restart_3"); }));
+      ASSERT_TRUE(command.wait_until([&] { return has(out, "plain", "restart_4"); }));
       command.send(SIGKILL);
       EXPECT_EQ(command.end().exit_code, 137);
     }

@@ -149,7 +149,7 @@ TEST(Sleeve, LowerPlatenCarriesItsEndUpwardsAndWorksOnIt)
   Stepper stepper(sleeve);
   stepper.set_up();
   stepper.run(200, 0.0, 1e-6);
-  for (const int node : sleeve.end_nodes(false))
+  for (const int node : nodes_at(sleeve, 0.0))
     EXPECT_NEAR(sleeve.model().position()[node].z() - sleeve.model().reference()[node].z(), 200e-6,
                 1e-15);
   stepper.run(800);
@@ -332,8 +332,9 @@ TEST(Sleeve, BurstsAtItsSeam)
   EXPECT_NE(fault->find("on the seam: the test ends here"), std::string::npos) << *fault;
   for (int f = 0; f < sleeve.model().facets(); ++f)
     if (sleeve.model().memory(f).damage[0] > 0.0) {
-      const FacetVectors x = sleeve.model().corners(f);
-      const Vec3 center = (x[0] + x[1] + x[2]) / 3.0;
+      Vec3 center = Vec3::Zero();  // without load: what is torn opens
+      for (const int node : sleeve.model().facet()[f])
+        center += sleeve.model().reference()[node] / 3.0;
       EXPECT_NEAR(std::atan2(center.y(), center.x()), pi / 3.0, pi / 31.0);
       EXPECT_LT(sleeve.model().strength_share(0, f), 1.0);
     }

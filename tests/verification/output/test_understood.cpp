@@ -111,10 +111,11 @@ TEST(Understood, IsWhatTheDeckGaveInItsOwnWordsOnceForAllRanks)
             "cylinder 0.05 0 0.08, edge 0.02, type 2, platens top bottom, modulus 1.15e7, poisson "
             "0.3, thickness 0.01, bending_thickness 0.01, density 30, tension_only no, top_end "
             "held, bottom_end held, rigid no, pressure 0, pressed between, damping 0.7, "
-            "mass_scaling yes, safety 0.8, every 50, strain_limit 0.5");
+            "mass_scaling yes, safety 0.8, every 50, strain_limit 0.5, strip none, after_strength "
+            "warn, when_torn stop");
   EXPECT_EQ(lines.at("fix_modify side (mesh/surface/shell)"),
             "top_end radial, bottom_end held, rigid no, pressure 2e4, ramp 100, pressed between, "
-            "damping 0.7, strain_limit 0.5");
+            "damping 0.7, strain_limit 0.5, when_torn stop");
   EXPECT_EQ(lines.at("fix contacts (output/contacts)"),
             "every 10, folder contacts, name contacts, threshold 0, rows 1000, file contacts.csv, "
             "level 5 20 40 60");
