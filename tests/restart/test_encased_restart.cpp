@@ -50,7 +50,7 @@ TEST(EncasedRestart, GoesOnInsideATear)
 {
   for (const std::string after :
        {"after_strength yield", "after_strength tear fracture_energy 0.3 when_torn go_on"}) {
-    const std::string cloth = "tension_only yes strength 60 60 seam 0.7 strain_limit 2 " + after;
+    const std::string cloth = "tension_only yes strain_limit 5 strength 70 70 seam 0.9 " + after;
     const TemporaryFolder folder;
     const std::string damage =
         "variable plastic equal f_side[16]\nvariable damage equal f_side[17]\n"
