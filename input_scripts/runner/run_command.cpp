@@ -37,8 +37,8 @@ void make_folder(const fs::path& folder)
                      "', free it or choose another --name or --out");
 }
 
-/// The lock of the case's folder, in which nothing else may run; a process that is about to end gets
-/// `seconds` for it.
+/// The lock of the case's folder, in which nothing else may run; a process that is about to end
+/// gets `seconds` for it.
 FolderLock lock_of(const CaseFolder& folder, const Places& places, double seconds)
 {
   FolderLock lock;
