@@ -27,6 +27,7 @@ Figure energy(const TestResult& test)
       {history_column::loss_damping, "lost: local damping"},
       {history_column::energy_elastic, "stored: elastic"},
       {history_column::energy_kinetic, "stored: kinetic"},
+      {history_column::loss_yielding, "lost: yielding"},
   };
   Panel panel;
   panel.title = "Energy balance of " + test.run->id;
@@ -34,6 +35,7 @@ Figure energy(const TestResult& test)
   panel.y = {"energy [J]"};
   std::size_t color = 0;
   for (const auto& [column, label] : terms) {
+    if (!test.run->history.has(column)) continue;  // of a history older than the column
     const std::string name = label;
     const Stroke stroke = name[0] == 'w'   ? Stroke::solid
                           : name[0] == 'l' ? Stroke::dashed
