@@ -142,7 +142,8 @@ std::vector<CasePlan> chosen_cases(const Catalogue& catalogue, DeckCatalogue& de
     check_choices(deck, given);
     const Deck& own = decks.with(deck, given);
     check_names(own, given);
-    plans.push_back({row, &own, given, asked_variables(own, given)});
+    const Settings placed = with_found_tables(own, given);
+    plans.push_back({row, &own, placed, asked_variables(own, placed)});
   }
   return plans;
 }

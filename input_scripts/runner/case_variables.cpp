@@ -67,6 +67,25 @@ void check_names(const Deck& deck, const Settings& given)
                        "', expected one of: " + joined(deck.names()));
 }
 
+Settings with_found_tables(const Deck& deck, Settings given)
+{
+  namespace fs = std::filesystem;
+  for (auto& [name, value] : given) {
+    const fs::path file = value;
+    if (file.extension() != ".csv") continue;
+    if (!file.has_parent_path() && fs::is_regular_file(deck.common / file)) {
+      value = std::string(common_of_case) + "/" + value;
+      continue;
+    }
+    if (!fs::is_regular_file(file))
+      throw InputError("'" + name + "' must be a CSV file in '" + shown(deck.common) +
+                       "' or the path of one, found no '" + value.substr(0, 200) +
+                       "', check its name");
+    value = fs::absolute(file).lexically_normal();
+  }
+  return given;
+}
+
 Settings asked_variables(const Deck& deck, const Settings& given)
 {
   Settings asked;

@@ -21,6 +21,10 @@ void check_names(const Deck& deck, const Settings& given);
 /// The folder `common` of a case, seen from its run folder.
 inline const char* const common_of_case = "input/common";
 
+/// Those of `given` that name a CSV file, by its name in `common` or by a path, with the path where
+/// the run finds it: a case runs in a folder of its own. Throws InputError where there is none.
+Settings with_found_tables(const Deck& deck, Settings given);
+
 /// All variables of `deck` as a case with `given` asks for them, in the deck's order; those that
 /// take their value from another one have it.
 Settings asked_variables(const Deck& deck, const Settings& given);

@@ -19,7 +19,10 @@ std::string plain_triaxial_deck()
 
 std::string encased_triaxial_deck()
 {
-  return read_text(inputs / "triaxial_encased/triaxial_encased.lmp");
+  std::string deck = read_text(inputs / "triaxial_encased/triaxial_encased.lmp");
+  const std::string include = "include ${common}/encased_test.lmp";
+  return deck.replace(deck.find(include), include.size(),
+                      read_text(inputs / "common/encased_test.lmp"));
 }
 
 Outcome run_small_triaxial(const fs::path& folder, int ranks)

@@ -1,8 +1,11 @@
 #include "runner/case_variables.h"
 
 #include "core/input_error.h"
+#include "support/child_program.h"
 
 #include <gtest/gtest.h>
+
+#include <fstream>
 
 using namespace encased_column;
 
@@ -58,6 +61,23 @@ TEST(CaseVariables, OfAFileInCommonHaveItsPathInTheRunFolder)
 {
   const Deck strip = deck_with({{"strip", "${common}/strip.csv", "[-]", ""}});
   EXPECT_EQ(asked_variables(strip, {}).back().second, "input/common/strip.csv");
+}
+
+// A case runs elsewhere than the command was given.
+TEST(CaseVariables, FindATableInCommonOrByItsPath)
+{
+  const testing::TemporaryFolder folder;
+  Deck deck = deck_with({{"gradation", "${common}/a.csv", "[-]", ""}});
+  deck.common = folder.path();
+  std::ofstream(folder.path() / "b.csv") << "x\n";
+  const auto found = [&](const std::string& value) {
+    return with_found_tables(deck, {{"gradation", value}}).front().second;
+  };
+  EXPECT_EQ(found("b.csv"), "input/common/b.csv");
+  const std::string path = folder.path() / "b.csv";
+  EXPECT_EQ(found(path), path);
+  EXPECT_EQ(found(std::filesystem::relative(path).string()), path);
+  EXPECT_THROW(found("c.csv"), InputError);
 }
 
 TEST(CaseVariables, AreTheSameWhereTheyAreTheSameNumber)
