@@ -1,6 +1,7 @@
 #include "drawing/figures.h"
 
 #include "core/constants.h"
+#include "drawing/by_parameters.h"
 #include "drawing/labels.h"
 #include "tables/text_layout.h"
 
@@ -92,9 +93,8 @@ void add_set(Panel& panel, const SetResult& set, std::size_t first_color, const 
   panel.series.push_back(peaks);
 }
 
-}  // namespace
-
-std::vector<Figure> triaxial_figures(const std::vector<SetResult>& sets, const Targets& targets)
+std::vector<Figure> triaxial_figures_of_set(const std::vector<SetResult>& sets,
+                                            const Targets& targets)
 {
   Panel stress = curves(sets, &TestResult::deviatoric_stress, 1e-3);
   stress.title = platen_title(sets);
@@ -122,6 +122,14 @@ std::vector<Figure> triaxial_figures(const std::vector<SetResult>& sets, const T
            "Failure lines in the p-q plane",
            "Through the peaks; the study has it in Figure 7b (encased).",
            {strength}}};
+}
+
+}  // namespace
+
+std::vector<Figure> triaxial_figures(const std::vector<SetResult>& sets, const Targets& targets)
+{
+  return drawn_by_parameters(
+      sets, [&](const auto& group) { return triaxial_figures_of_set(group, targets); });
 }
 
 }  // namespace encased_column
