@@ -27,8 +27,9 @@ std::string platen_title(const std::vector<SetResult>& sets)
   const Platen first = sets.front().tests.front().platen;
   const Platen last = sets.back().tests.front().platen;
   if (first == last) return "q: " + platen_name(first);
-  return "q: " + platen_name(first) + " (" + kind(sets.front()) + "), " + platen_name(last) + " (" +
-         kind(sets.back()) + ")";
+  const auto name = [](Platen p) { return p == Platen::mean ? "mean of both" : platen_name(p); };
+  return "q: " + name(first) + " (" + kind(sets.front()) + "), " + name(last) + " (" +
+         kind(sets.back()) + ")";  // short enough to stand above its chart
 }
 
 /// One curve for each test: `factor` times the values `member` over axial strain [%].

@@ -171,7 +171,7 @@ TEST_F(ReportTest, TellsTheSourcesOfTheSetThatTheRunUsed)
   const std::string html = text("plain/report.html");
   EXPECT_NE(html.find("contact modulus E* (Table 1, read as 7 MPa)"), std::string::npos);
   EXPECT_EQ(html.find("found by hand"), std::string::npos);
-  EXPECT_NE(html.find(", parameters study</figcaption>"), std::string::npos)
+  EXPECT_NE(html.find("mean of both platens, parameters study</h4>"), std::string::npos)
       << "charts name the set";
 }
 
