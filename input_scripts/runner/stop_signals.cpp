@@ -1,6 +1,7 @@
 #include "runner/stop_signals.h"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace encased_column {
 
