@@ -95,6 +95,8 @@ FolderState CaseFolder::state() const
   FolderState state;
   state.begun = fs::exists(folder_ / "case.json");
   state.finished = fs::exists(folder_ / "finished");
+  std::ifstream reason(folder_ / "failed");
+  std::getline(reason, state.failed);
   for (int stage = 1; stage <= 9; ++stage)
     if (fs::exists(restart_file(folder_, stage)))
       (is_sealed(restart_file(folder_, stage)) ? state.whole : state.broken).push_back(stage);
@@ -156,7 +158,8 @@ void CaseFolder::make_ready_for(int stage) const
   int logs = 0;
   for (const auto& entry : fs::directory_iterator(folder_)) {
     const std::string name = entry.path().filename();
-    if (name.rfind("restart_forced_liggghts_", 0) == 0 || name == variables_file)
+    if (name.rfind("restart_forced_liggghts_", 0) == 0 || name == variables_file ||
+        name == "failed")
       old.push_back(entry.path());
     if (name.rfind("log.", 0) == 0 && name != "log.liggghts") ++logs;
   }
@@ -223,6 +226,18 @@ void CaseFolder::note_finished(long seconds) const
   std::strftime(date, sizeof date, "%FT%TZ", std::gmtime(&now));
   write_text_file(folder_ / "finished",
                   std::string(date) + "\nwall time " + std::to_string(seconds) + " s\n");
+}
+
+void CaseFolder::note_failed(const std::string& sentence) const
+{
+  const std::size_t end = sentence.find('\n'), error = sentence.find("ERROR");
+  std::string reason = sentence.substr(0, end);
+  if (error != std::string::npos)
+    reason = sentence.substr(error, sentence.find('\n', error) - error);
+  else if (end != std::string::npos && end + 1 < sentence.size())
+    reason += ": " + sentence.substr(end + 1, sentence.find('\n', end + 1) - end - 1);
+  if (reason.empty()) reason = "no reason was found";
+  write_text_file(folder_ / "failed", reason + "\n");
 }
 
 }  // namespace encased_column

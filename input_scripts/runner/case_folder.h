@@ -56,6 +56,8 @@ class CaseFolder {
   /// What the end of the log or the screen says of an error.
   std::string last_words() const;
   void note_finished(long seconds) const;
+  /// Keeps for later starts why the case failed: `sentence`, shorter where the host said why.
+  void note_failed(const std::string& sentence) const;
 
  private:
   CaseRecord record(const Settings& used) const;

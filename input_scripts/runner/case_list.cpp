@@ -49,6 +49,9 @@ Case case_of_deck(const fs::path& deck)
 
 std::vector<Case> chosen_rows(const Catalogue& catalogue, const RunOptions& options)
 {
+  if (options.is_series())
+    return cases_of_series(options.series,
+                           catalogue.theirs.empty() ? catalogue.ours : catalogue.theirs);
   if (!options.cases.empty()) {
     std::vector<Case> chosen;
     for (const std::string& id : options.cases) chosen.push_back(case_called(id, catalogue.all()));
@@ -156,6 +159,8 @@ void list_cases(std::ostream& out, const Catalogue& catalogue, DeckCatalogue& de
     out << (one.by_default ? '*' : ' ') << ' ' << std::left << std::setw(18) << one.id << ' '
         << std::setw(50) << one.title
         << (one.reproduces.empty() ? "" : " reproduces " + one.reproduces) << '\n';
+  out << "\nSeries, for --series NAME: " << every_series << ' '
+      << joined(series_names(catalogue.all())) << '\n';
   std::vector<const Deck*> shown_decks;
   for (const std::string& name : decks.names())
     shown_decks.push_back(&decks.find(name, "", "deck"));

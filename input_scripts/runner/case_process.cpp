@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <thread>
 
@@ -30,6 +31,7 @@ bool FolderLock::take(const fs::path& file, double seconds)
   file_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) return false;
   for (double waited = 0.0; flock(file_, LOCK_EX | LOCK_NB) != 0; waited += 0.05) {
+    if (errno != EWOULDBLOCK && errno != EINTR) return true;  // a file system without locks
     if (waited >= seconds) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }

@@ -33,7 +33,7 @@ namespace {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD, SIGUSR2}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD, SIGUSR1, SIGUSR2}) {
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
     sigaction(signal, &usual, nullptr);
@@ -85,29 +85,45 @@ bool has_ended(pid_t pid, int& code)
   return true;
 }
 
-std::string output_of(const std::vector<std::string>& words)
+namespace {
+
+/// Runs `words` to their end; what they write as errors counts as text where `with_errors`.
+Answer run_to_end(const std::vector<std::string>& words, bool with_errors)
 {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) return "";
+  if (pipe2(ends, O_CLOEXEC) != 0) return {};
   const std::vector<char*> pointers = pointers_to(words);
   const pid_t child = fork();
   if (child == 0) {
     const int nothing = open("/dev/null", O_RDWR);
     dup2(nothing, STDIN_FILENO);
     dup2(ends[1], STDOUT_FILENO);
-    dup2(nothing, STDERR_FILENO);
+    dup2(with_errors ? ends[1] : nothing, STDERR_FILENO);
     execvp(pointers[0], pointers.data());
     _exit(127);
   }
   close(ends[1]);
-  std::string output;
+  Answer answer;
   char part[4096];
   for (ssize_t size; (size = read(ends[0], part, sizeof part)) > 0;)
-    output.append(part, static_cast<std::size_t>(size));
+    answer.text.append(part, static_cast<std::size_t>(size));
   close(ends[0]);
-  int status = 1;
+  int status = 127 << 8;
   if (child > 0) waitpid(child, &status, 0);
-  return output;
+  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return answer;
+}
+
+}  // namespace
+
+std::string output_of(const std::vector<std::string>& words)
+{
+  return run_to_end(words, false).text;
+}
+
+Answer answer_of(const std::vector<std::string>& words)
+{
+  return run_to_end(words, true);
 }
 
 namespace fs = std::filesystem;

@@ -28,6 +28,13 @@ bool has_ended(pid_t pid, int& code);
 /// All that `words` write to their screen, errors left out; empty when they fail.
 std::string output_of(const std::vector<std::string>& words);
 
+/// How a program ended, and all it wrote to its screen, errors too.
+struct Answer {
+  int code = 127;
+  std::string text;
+};
+Answer answer_of(const std::vector<std::string>& words);
+
 /// A process, told from a later one with the same number by when it began.
 struct Process {
   pid_t pid;

@@ -83,39 +83,49 @@ std::string in_time(double seconds)
   return text;
 }
 
-std::string progress_line(const std::vector<RunningCase>& running, int ended, int all,
-                          double seconds, double brought)
+std::vector<std::string> progress_lines(const std::vector<RunningCase>& running,
+                                        const std::vector<CaseClock>& clocks, int jobs)
 {
-  std::string line;
-  double done = ended;
-  for (const RunningCase& one : running) {
-    done += one.progress.fraction;
-    line += one.id + " " + one.progress.stage + " " +
-            std::to_string(static_cast<int>(100.0 * one.progress.fraction)) + " % | ";
+  const auto percent = [](double fraction) {
+    return std::to_string(static_cast<int>(100.0 * fraction)) + " %";
+  };
+  std::size_t widest = 0;
+  for (const RunningCase& one : running) widest = std::max(widest, one.id.size());
+  std::vector<std::string> lines;
+  for (const RunningCase& one : running)
+    lines.push_back(one.id + std::string(widest - one.id.size(), ' ') + "  " +
+                    percent(one.progress.fraction) + ' ' + one.progress.stage);
+  double work = 0.0, done = 0.0;
+  long ended = 0;
+  for (const CaseClock& clock : clocks) {
+    work += clock.work;
+    done += clock.work * (clock.ended ? 1.0 : clock.fraction);
+    ended += clock.ended;
   }
-  const double whole = all > 0 ? done / all : 1.0;
-  line += std::to_string(static_cast<int>(100.0 * whole)) + " % done";
-  if (done - brought > 0.01 * all)
-    line += ", " + in_time(seconds * (all - done) / (done - brought)) + " left";
-  return line;
+  std::string whole = std::to_string(ended) + " of " + std::to_string(clocks.size()) + " ended, " +
+                      percent(work > 0.0 ? done / work : 1.0) + " done";
+  if (const auto left = seconds_left(clocks, jobs)) whole += ", " + in_time(*left) + " left";
+  lines.push_back(whole);
+  return lines;
 }
 
 std::string stopped_line(const Left& left)
 {
+  const std::string again = left.series ? "; the same command " : "; --resume ";
   std::string line = "Stopped";
   if (!left.resumable.empty()) {
-    line += "; --resume goes on with";
+    line += again + "goes on with";
     for (std::size_t n = 0; n < left.resumable.size(); ++n)
       line += (n ? ", " : " ") + left.resumable[n].first + " from stage " +
               std::to_string(left.resumable[n].second);
   }
   if (!left.begin_again.empty()) {
-    line += left.resumable.empty() ? "; --resume begins again with" : ", and begins again with";
+    line += left.resumable.empty() ? again + "begins again with" : ", and begins again with";
     for (std::size_t n = 0; n < left.begin_again.size(); ++n)
       line += (n ? ", " : " ") + left.begin_again[n];
   }
   if (left.resumable.empty() && left.begin_again.empty() && left.tables_missing)
-    line += "; all cases have ended, --resume makes their tables";
+    line += again + "makes the tables: all cases have ended";
   return line;
 }
 

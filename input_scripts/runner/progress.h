@@ -1,5 +1,7 @@
 #pragma once
 
+#include "runner/time_left.h"
+
 #include <string>
 #include <vector>
 
@@ -30,20 +32,20 @@ struct RunningCase {
   Progress progress;
 };
 
-/// One line: each running case with stage and percent, percent of the whole, time left. `ended` of
-/// `all` cases have ended; the clock began `seconds` ago, when cases that went on had brought
-/// `brought` cases' worth of work with them.
-std::string progress_line(const std::vector<RunningCase>& running, int ended, int all,
-                          double seconds, double brought);
+/// A line for each running case with its stage and percent, and one for the whole: cases that have
+/// ended, percent of the work, time left. `clocks` are those of all cases, `jobs` run at once.
+std::vector<std::string> progress_lines(const std::vector<RunningCase>& running,
+                                        const std::vector<CaseClock>& clocks, int jobs);
 
 /// What is left where a signal has ended the whole.
 struct Left {
   std::vector<std::pair<std::string, int>> resumable;  ///< case and the stage it goes on from
   std::vector<std::string> begin_again;                ///< cases without a restart file
   bool tables_missing = false;  ///< all cases have ended, their tables are not made
+  bool series = false;          ///< the same command goes on, without --resume
 };
 
-/// The last line after a signal: what --resume goes on with, and nothing else.
+/// The last line after a signal: what the next start goes on with, and nothing else.
 std::string stopped_line(const Left& left);
 
 }  // namespace encased_column

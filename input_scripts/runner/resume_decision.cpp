@@ -26,8 +26,9 @@ Decision go_on(const std::string& id, const FolderState& state)
   const std::string bad = damaged(state);
   const std::string why =
       bad.empty() ? "it has left no restart file yet" : bad + " is cut off or of another version";
-  if (stage == 0) return {Action::fresh, 0, "Case " + id + " begins again, " + why};
-  std::string sentence = "Case " + id + " goes on in stage " + std::to_string(stage);
+  const std::string subject = "Case " + id + (state.failed.empty() ? "" : " failed before and");
+  if (stage == 0) return {Action::fresh, 0, subject + " begins again, " + why};
+  std::string sentence = subject + " goes on in stage " + std::to_string(stage);
   if (!bad.empty()) sentence += ", " + why;
   return {Action::resume, stage, sentence};
 }
@@ -44,6 +45,9 @@ Decision decide(const std::string& id, const std::string& folder, const FolderSt
             state.unreadable + ", or leave --resume out, and case '" + id + "' begins again"};
   }
   const bool same = state.there.empty();
+  if (!state.failed.empty() && same && wishes.leave_failed)
+    return {Action::leave, 0,
+            "Case " + id + " failed before and is left so (--retry would run it): " + state.failed};
   if (state.finished && same && (wishes.keep || wishes.resume))
     return {Action::keep, 0, "Case " + id + " is kept as it is"};
   if (wishes.resume && !same)

@@ -9,6 +9,7 @@ namespace encased_column {
 struct FolderState {
   bool begun = false;      ///< it has a case.json
   bool finished = false;   ///< and was run to its end
+  std::string failed;      ///< why it ended before, if not by a signal; empty: it did not fail
   std::string unreadable;  ///< what is wrong with its case.json; empty if nothing is
   std::string there,
       now;  ///< first variable that was asked for otherwise; empty if all are the same
@@ -19,9 +20,10 @@ struct FolderState {
 struct Wishes {
   bool keep = false;
   bool resume = false;
+  bool leave_failed = false;  ///< what failed with the same variables stays as it is
 };
 
-enum class Action { fresh, keep, resume, refuse };
+enum class Action { fresh, keep, resume, leave, refuse };
 
 struct Decision {
   Action action = Action::fresh;

@@ -2,10 +2,12 @@
 
 #include "core/input_error.h"
 #include "runner/case_list.h"
-#include "runner/case_variables.h"
+#include "runner/dry_run.h"
 #include "runner/processes.h"
 #include "runner/progress.h"
 #include "runner/run_cases.h"
+#include "runner/series_end.h"
+#include "runner/slurm_submit.h"
 #include "runner/text_file.h"
 
 #include <unistd.h>
@@ -25,7 +27,8 @@ fs::path output_folder(const Places& places, const RunOptions& options)
 {
   if (!options.out.empty()) return fs::absolute(options.out).lexically_normal();
   const fs::path root = places.source.empty() ? fs::current_path() : places.source;
-  return root / "runs" / (options.name.empty() ? "default" : options.name);
+  const std::string usual = options.is_series() ? options.series : "default";
+  return root / "runs" / (options.name.empty() ? usual : options.name);
 }
 
 void make_folder(const fs::path& folder)
@@ -75,34 +78,40 @@ void set_up_open_mpi(bool crowded)
   if (crowded) setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
 }
 
-/// Decides what becomes of each case, says so, and returns those to run. Throws InputError before
-/// anything was touched.
-std::vector<Todo> decide_all(const std::vector<CasePlan>& plans, const fs::path& series,
-                             const Places& places, const RunOptions& options)
+/// The cases of a command, and what was decided about them.
+struct Decided {
+  std::vector<Todo> todo;           ///< to run, the longest first
+  std::vector<std::string> failed;  ///< before, and left so
+};
+
+/// Decides what becomes of each case and says so. Throws InputError before anything was touched.
+Decided decide_all(const std::vector<CasePlan>& plans, const fs::path& series, const Places& places,
+                   const RunOptions& options)
 {
-  std::vector<Todo> todo;
+  Decided decided;
   std::string sentences;
   for (const CasePlan& plan : plans) {
     CaseFolder folder(series / plan.row.id, plan);
     make_folder(folder.path());
     // After SIGKILL of a command its cases stop by themselves: two ranks take some seconds.
-    FolderLock lock = lock_of(folder, places, options.resume ? 10.0 : 2.0);
-    const Decision decision =
-        decide(folder.id(), shown(series), folder.state(), {options.keep, options.resume});
+    FolderLock lock = lock_of(folder, places, options.wishes().resume ? 10.0 : 2.0);
+    const Decision decision = decide(folder.id(), shown(series), folder.state(), options.wishes());
     if (decision.action == Action::refuse) throw InputError(decision.sentence);
     if (!decision.sentence.empty()) sentences += decision.sentence + "\n";
-    if (decision.action != Action::keep)
-      todo.push_back({std::move(folder), decision, std::move(lock)});
+    if (decision.action == Action::leave) decided.failed.push_back(folder.id());
+    if (decision.action != Action::keep && decision.action != Action::leave)
+      decided.todo.push_back({std::move(folder), decision, std::move(lock)});
   }
   std::cout << sentences << std::flush;
-  return todo;
+  decided.todo = longest_first(std::move(decided.todo));
+  return decided;
 }
 
-std::string names_of(const std::vector<Todo>& todo)
+std::vector<std::string> ids_of(const std::vector<Todo>& todo)
 {
   std::vector<std::string> ids;
   for (const Todo& one : todo) ids.push_back(one.folder.id());
-  return joined(ids);
+  return ids;
 }
 
 std::string resolution_of(const Todo& todo)
@@ -112,10 +121,28 @@ std::string resolution_of(const Todo& todo)
   return "";
 }
 
+/// Runs them; returns the ids of those that failed.
+std::vector<std::string> run_all(std::vector<Todo>& todo, const Places& places,
+                                 const RunOptions& options, int cores, StopSignals& signals)
+{
+  const Schedule schedule = best_schedule(static_cast<int>(todo.size()), cores,
+                                          options.rank_count(), options.job_count());
+  std::cout << "Running " << joined(ids_of(todo)) << resolution_of(todo.front())
+            << "; at once: " << schedule.jobs << ", MPI ranks each: " << schedule.ranks
+            << std::endl;
+  set_up_open_mpi(schedule.ranks * schedule.jobs > cores);
+  CaseRunner runner(places, schedule,
+                    versions_text(version_of_project(places), cores, schedule.ranks,
+                                  places.inputs / "packages.txt"),
+                    signals);
+  return runner.run(todo);
+}
+
 /// What a signal has left of `todo`.
-Left left_of(const std::vector<Todo>& todo)
+Left left_of(const std::vector<Todo>& todo, bool series)
 {
   Left left;
+  left.series = series;
   for (const Todo& one : todo) {
     if (one.folder.state().finished) continue;
     const int stage = one.folder.last_stage();
@@ -126,37 +153,6 @@ Left left_of(const std::vector<Todo>& todo)
   }
   left.tables_missing = true;
   return left;
-}
-
-/// `encase report` in a process of its own, as pictures may take a display made for it; false when
-/// it fails.
-bool make_report(const Places& places, const RunOptions& options, const fs::path& series,
-                 StopSignals& signals)
-{
-  std::cout << "Making the table" << (options.no_pictures ? "" : " and the pictures") << std::endl;
-  std::vector<std::string> words{places.program, "report"};
-  if (options.no_pictures) words.push_back("--no-pictures");
-  words.push_back(series);
-  const pid_t pid = start_program({words, "", "", true, -1});
-  int code = 0;
-  while (!has_ended(pid, code)) {
-    if (!signals.wait(0.2)) continue;
-    for (const Process& process : process_tree(pid))
-      kill(process.pid, signals.count() > 1 ? SIGKILL : SIGTERM);
-  }
-  return code == 0;
-}
-
-void tell_results(const fs::path& series, const RunOptions& options)
-{
-  std::cout << "Run folder: " << shown(series) << '\n';
-  const auto tell = [&](const char* name, const char* file) {
-    if (fs::exists(series / file)) std::cout << name << shown(series / file) << '\n';
-  };
-  tell("Table:      ", "table.txt");
-  if (options.no_pictures) return;
-  tell("Report:     ", "report.html");
-  tell("Pictures:   ", "figures");
 }
 
 }  // namespace
@@ -171,39 +167,34 @@ int run_command(const Places& places, const RunOptions& options)
     throw InputError("the program must find 'liggghts-encase' beside itself, found none in '" +
                      places.host.parent_path().string() + "', build or install both");
 
-  StopSignals signals;
-  const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
   const fs::path series = output_folder(places, options);
+  const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
+  if (options.dry_run) return dry_run(places, plans, options, series, cores);
+  StopSignals signals;
   make_folder(series);
   FolderLock series_lock;
-  if (!series_lock.take(series / ".lock", 0.5))
+  if (!options.no_report && !series_lock.take(series / ".lock", 0.5))
     throw InputError("'" + shown(series) + "' is in use by another run, choose another --name");
-  std::vector<Todo> todo = decide_all(plans, series, places, options);
-  const Schedule schedule = best_schedule(static_cast<int>(todo.size()), cores,
-                                          options.rank_count(), options.job_count());
-  std::vector<std::string> failed;
-  if (!todo.empty()) {
-    std::cout << "Running " << names_of(todo) << resolution_of(todo.front())
-              << "; at once: " << schedule.jobs << ", MPI ranks each: " << schedule.ranks
-              << std::endl;
-    set_up_open_mpi(schedule.ranks * schedule.jobs > cores);
-    CaseRunner runner(places, schedule,
-                      versions_text(version_of_project(places), cores, schedule.ranks,
-                                    places.inputs / "packages.txt"),
-                      signals);
-    failed = runner.run(todo);
-  }
-  if (!signals.count() && failed.size() < plans.size() &&
-      !make_report(places, options, series, signals) && !signals.count())
+  auto [todo, failed] =
+      options.report_only ? Decided{} : decide_all(plans, series, places, options);
+  if (options.slurm) return submit_to_slurm(places, options, series, ids_of(todo), plans);
+  if (!todo.empty())
+    for (const std::string& id : run_all(todo, places, options, cores, signals))
+      failed.push_back(id);
+  const bool reports = !options.no_report && failed.size() < plans.size();
+  if (!signals.count() && reports && !make_report(places, options, series, signals) &&
+      !signals.count())
     failed.push_back("report");
   if (signals.count()) {
-    std::cout << stopped_line(left_of(todo)) << std::endl;
+    std::cout << stopped_line(left_of(todo, options.is_series())) << std::endl;
     return 128 + signals.first();
   }
   std::cout << std::endl;
+  bool all_ran = true;
+  if (options.is_series() || options.report_only) all_ran = tell_outcomes(plans, series);
   if (!failed.empty()) std::cerr << "Failed: " << joined(failed) << std::endl;
   tell_results(series, options);
-  return failed.empty() ? 0 : 1;
+  return failed.empty() && all_ran ? 0 : 1;
 }
 
 int list_command(const Places& places, const RunOptions& options)

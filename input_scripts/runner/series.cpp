@@ -11,8 +11,8 @@ namespace encased_column {
 
 namespace {
 
-const std::vector<std::string> known_columns{"id",        "deck",  "default",
-                                             "variables", "title", "reproduces"};
+const std::vector<std::string> known_columns{"id",        "series", "deck",      "default",
+                                             "variables", "title",  "reproduces"};
 
 using Columns = std::map<std::string, std::size_t>;
 
@@ -21,8 +21,8 @@ Columns columns_of(const std::vector<std::string>& head, const std::string& name
   Columns columns;
   for (std::size_t n = 0; n < head.size(); ++n) {
     if (std::find(known_columns.begin(), known_columns.end(), head[n]) == known_columns.end())
-      throw InputError("'" + name + "' takes the columns id, deck, default, variables, title and " +
-                       "reproduces, found '" + head[n].substr(0, 60) +
+      throw InputError("'" + name + "' takes the columns id, series, deck, default, variables, " +
+                       "title and reproduces, found '" + head[n].substr(0, 60) +
                        "', write them in its first line");
     if (!columns.emplace(head[n], n).second)
       throw InputError("'" + name + "' must name a column once, found '" + head[n] +
@@ -32,7 +32,7 @@ Columns columns_of(const std::vector<std::string>& head, const std::string& name
     if (!columns.count(needed))
       throw InputError("'" + name + "' must have the column '" + needed +
                        "', found none, write for example " +
-                       "'id,deck,default,variables,title,reproduces' as its first line");
+                       "'id,series,deck,default,variables,title,reproduces' as its first line");
   return columns;
 }
 
@@ -46,6 +46,15 @@ Settings read_settings(const std::string& text, const std::string& where)
     begin = end + 1;
   }
   return settings;
+}
+
+std::string read_series_name(const std::string& word, const std::string& where)
+{
+  if (!word.empty() && (!is_folder_name(word) || word == every_series))
+    throw InputError("'series' of " + where +
+                     " takes letters, digits, '_', '-' and '.', and is not 'all', found '" +
+                     word.substr(0, 60) + "', write for example 'densities' or leave it empty");
+  return word;
 }
 
 bool read_mark(const std::string& word, const std::string& where)
@@ -87,7 +96,7 @@ std::vector<Case> read_series(const std::filesystem::path& file, const std::stri
   const auto rows = csv_rows(read_text_file(file, "'" + name + "'"), name);
   if (rows.empty())
     throw InputError("'" + name + "' must have a first line with the names of its columns, found " +
-                     "none, write for example 'id,deck,default,variables,title,reproduces'");
+                     "none, write for example 'id,series,deck,default,variables,title,reproduces'");
   const Columns columns = columns_of(rows.front(), name);
   std::vector<Case> cases;
   std::set<std::string> known;
@@ -110,13 +119,35 @@ std::vector<Case> read_series(const std::filesystem::path& file, const std::stri
                        "'triaxial_plain' or the path of your own");
     cases.push_back({id, cell("deck"), read_mark(cell("default"), where),
                      read_settings(cell("variables"), where),
-                     cell("title").empty() ? id : cell("title"), cell("reproduces")});
+                     cell("title").empty() ? id : cell("title"), cell("reproduces"),
+                     read_series_name(cell("series"), where)});
   }
   if (cases.empty())
     throw InputError("'" + name +
                      "' must have one row at least below its first line, found none, " +
                      "write one for each test");
   return cases;
+}
+
+std::vector<std::string> series_names(const std::vector<Case>& cases)
+{
+  std::vector<std::string> names;
+  for (const Case& one : cases)
+    if (!one.series.empty() && std::find(names.begin(), names.end(), one.series) == names.end())
+      names.push_back(one.series);
+  return names;
+}
+
+std::vector<Case> cases_of_series(const std::string& series, const std::vector<Case>& cases)
+{
+  if (series == every_series) return cases;
+  std::vector<Case> found;
+  for (const Case& one : cases)
+    if (one.series == series) found.push_back(one);
+  if (found.empty())
+    throw InputError("unknown series '" + series + "', expected one of: " + every_series + " " +
+                     joined(series_names(cases)));
+  return found;
 }
 
 std::vector<Case> together(const std::vector<Case>& ours, const std::vector<Case>& theirs)

@@ -1,13 +1,14 @@
 #include "runner/stop_signals.h"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace encased_column {
 
 StopSignals::StopSignals()
 {
   sigemptyset(&awaited_);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGCHLD}) {
     struct sigaction before {};
     sigaction(signal, nullptr, &before);
     if (signal != SIGHUP || before.sa_handler != SIG_IGN) sigaddset(&awaited_, signal);

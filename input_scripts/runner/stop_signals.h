@@ -4,8 +4,9 @@
 
 namespace encased_column {
 
-/// From its making on, Ctrl-C, SIGTERM and a closed terminal wait until they are asked for: none
-/// can come between two lines of this program. A SIGHUP that was ignored before (nohup) stays
+/// From its making on, Ctrl-C, SIGTERM, a closed terminal and SIGUSR1, which Slurm sends before the
+/// time of a job ends, wait until they are asked for: none can come between two lines of this
+/// program. A SIGHUP that was ignored before (nohup) stays
 /// ignored.
 class StopSignals {
  public:

@@ -155,6 +155,39 @@ TEST(RunCommand, RefusesASettingThatIsNotNameAndValue)
                  "sigma3=50e3'");
 }
 
+TEST(RunCommand, RefusesAnUnknownSeries)
+{
+  const Outcome outcome = run_command({"--series", "plane"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(outcome.says("encase run: unknown series 'plane', expected one of: all plain "));
+}
+
+TEST(RunCommand, RefusesASeriesBesideCasesAndRetryWithoutOne)
+{
+  expect_refused({"--series", "plain", "--case", "plain_050"},
+                 "--series and --case both choose cases, found 'plain' and 'plain_050', give one "
+                 "of them");
+  expect_refused({"--retry"},
+                 "--retry belongs to --series, found it alone, leave it out: without a series "
+                 "cases run whether they failed before or not");
+}
+
+TEST(RunCommand, RefusesOptionsOfSlurmThatCannotBe)
+{
+  expect_refused({"--slurm-option", "partition=long"},
+                 "--slurm-option belongs to --slurm, found 'partition=long' without it, write both "
+                 "or none");
+  expect_refused({"--slurm", "--slurm-option", "array=1-3"},
+                 "--slurm-option leaves out what --slurm itself gives, found 'array', leave it out "
+                 "(--ranks and --jobs say how many)");
+  expect_refused({"--slurm", "--slurm-option=-p long"},
+                 "--slurm-option takes a long option of sbatch, found '-p long', write for example "
+                 "'--slurm-option partition=long'");
+  expect_refused({"--report-only", "--dry-run"},
+                 "--report-only makes tables and report and nothing else, found --dry-run beside "
+                 "it, give one of them");
+}
+
 TEST(RunCommand, RefusesRanksThatAreNotAWholeNumber)
 {
   expect_refused({"--ranks", "1.5"},

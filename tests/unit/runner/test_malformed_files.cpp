@@ -99,6 +99,8 @@ TEST_F(MalformedFile, SeriesIsRefusedWithOneSentence)
       {head, "must have one row at least"},
       {"id,deck,variables,colour\na,b,c=1,red\n", "found 'colour'"},
       {"id,deck,deck,variables\n", "found 'deck' twice"},
+      {"id,series,deck,variables\na,all,d,c=1\n", "and is not 'all', found 'all'"},
+      {"id,series,deck,variables\na,b c,d,c=1\n", "'series' of case 'a' in 'own.csv' takes"},
       {"id,deck\na,b\n", "must have the column 'variables'"},
       {head + "a,b,1,c=1\n", "must have 6 cells"},
       {head + "a,b,1,c=1,t,r,more\n", "must have 6 cells"},

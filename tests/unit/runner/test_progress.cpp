@@ -50,18 +50,35 @@ TEST(Progress, StaysBetweenNothingAndTheWhole)
   EXPECT_EQ(read_progress("0 1 c ratio 1e-1 1e-5\n0 1 c ratio 1e-9 1e-5\n").fraction, 1.0);
 }
 
-// One of four cases has ended, another is half way: 1.5 of 4 in 60 s, so 2.5 take 100 s.
-TEST(Progress, LineTellsTheTimeLeft)
+// One of four cases has ended, two are half way: 2 of 4 in 80 s, one after the other.
+TEST(Progress, LinesTellEachRunningCaseAndTheWhole)
 {
-  EXPECT_EQ(progress_line({{"plain_050", {0.5, "shear"}}}, 1, 4, 60.0, 0.0),
-            "plain_050 shear 50 % | 37 % done, 2 min left");
+  const std::vector<CaseClock> clocks{{1.0, 0.0, 1.0, 40.0, true, true},
+                                      {1.0, 0.0, 0.5, 20.0, true, false},
+                                      {1.0, 0.0, 0.5, 20.0, true, false},
+                                      {1.0}};
+  const std::vector<RunningCase> running{{"plain_050", {0.5, "shear"}}, {"own", {0.5, "shear"}}};
+  EXPECT_EQ(progress_lines(running, clocks, 1),
+            (std::vector<std::string>{"plain_050  50 % shear", "own        50 % shear",
+                                      "1 of 4 ended, 50 % done, 80 s left"}));
 }
 
-// What a case that goes on brings with it was not done in this time.
-TEST(Progress, LineCountsTheWorkOfThisRunOnly)
+TEST(Progress, LinesGuessNoTimeAtTheStart)
 {
-  EXPECT_EQ(progress_line({{"a", {0.75, "shear"}}}, 0, 1, 50.0, 0.5),
-            "a shear 75 % | 75 % done, 50 s left");
+  EXPECT_EQ(progress_lines({{"a", {}}}, {{1.0, 0.0, 0.0, 3.0, true, false}}, 1).back(),
+            "0 of 1 ended, 0 % done");
+}
+
+TEST(Progress, LastLineOfASeriesAsksForNoOtherOption)
+{
+  Left left;
+  left.resumable = {{"a", 4}};
+  left.begin_again = {"b"};
+  EXPECT_EQ(stopped_line(left),
+            "Stopped; --resume goes on with a from stage 4, and begins again with b");
+  left.series = true;
+  EXPECT_EQ(stopped_line(left),
+            "Stopped; the same command goes on with a from stage 4, and begins again with b");
 }
 
 TEST(Progress, TellsTimeInTheUnitThatFits)

@@ -98,6 +98,21 @@ TEST(ResumeDecision, SaysThatAnUnfinishedRunGoes)
             "with them)");
 }
 
+TEST(ResumeDecision, OfASeriesRetriesNothingSilently)
+{
+  FolderState state = begun({3});
+  state.failed = "ERROR: lost grains";
+  const Decision left = decide("a", "runs/x", state, {false, true, true});
+  EXPECT_EQ(left.action, Action::leave);
+  EXPECT_EQ(left.sentence,
+            "Case a failed before and is left so (--retry would run it): ERROR: lost grains");
+  EXPECT_EQ(resumed(state).action, Action::resume);
+  EXPECT_EQ(resumed(state).sentence, "Case a failed before and goes on in stage 3");
+  state.there = "sigma3=50e3";
+  state.now = "sigma3=60e3";
+  EXPECT_EQ(decide("a", "runs/x", state, {false, true, true}).action, Action::refuse);
+}
+
 TEST(ResumeDecision, RefusesARecordItCannotReadOnlyWhereItMustGoOn)
 {
   FolderState state = begun({4});

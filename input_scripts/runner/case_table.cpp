@@ -1,0 +1,64 @@
+#include "runner/case_table.h"
+
+#include "core/input_error.h"
+#include "runner/text_file.h"
+
+#include <algorithm>
+
+namespace encased_column {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The checks that `id` missed; none where there is no such table.
+std::vector<std::string> missed_checks(const std::string& id, const fs::path& file)
+{
+  std::vector<std::string> missed;
+  if (!fs::exists(file)) return missed;
+  for (const auto& row : csv_rows(read_text_file(file, "'" + shown(file) + "'"), shown(file)))
+    if (row.size() == 5 && row[0] == id && row[4] == "FAIL")
+      missed.push_back(row[1] + ": " + row[2] + ", allowed " + row[3]);
+  return missed;
+}
+
+}  // namespace
+
+std::string case_table(const std::vector<CaseOutcome>& outcomes)
+{
+  std::size_t widest_id = 4, widest_outcome = 7;
+  for (const CaseOutcome& one : outcomes) {
+    widest_id = std::max(widest_id, one.id.size());
+    widest_outcome = std::max(widest_outcome, one.outcome.size());
+  }
+  const auto line = [&](const std::string& id, const std::string& outcome, const std::string& why) {
+    std::string text = id + std::string(widest_id + 2 - id.size(), ' ') + outcome;
+    if (!why.empty()) text += std::string(widest_outcome + 2 - outcome.size(), ' ') + why;
+    return text + "\n";
+  };
+  std::string table = line("case", "outcome", "why");
+  for (const CaseOutcome& one : outcomes) table += line(one.id, one.outcome, one.why);
+  const auto passed = std::count_if(outcomes.begin(), outcomes.end(),
+                                    [](const CaseOutcome& one) { return one.outcome == "passed"; });
+  return table + std::to_string(passed) + " of " + std::to_string(outcomes.size()) + " passed.\n";
+}
+
+CaseOutcome outcome_of(const CaseFolder& folder, const fs::path& checks_file)
+{
+  const FolderState state = folder.state();
+  if (state.finished) {
+    const std::vector<std::string> missed = missed_checks(folder.id(), checks_file);
+    if (missed.empty()) return {folder.id(), "passed", ""};
+    std::string why;
+    for (const std::string& check : missed) why += (why.empty() ? "" : "; ") + check;
+    return {folder.id(), "checks missed", why};
+  }
+  if (!state.failed.empty()) return {folder.id(), "failed", state.failed};
+  if (!state.begun) return {folder.id(), "not run", ""};
+  const Progress progress = folder.progress();
+  return {folder.id(), "stopped",
+          "in " + progress.stage + ", at " +
+              std::to_string(static_cast<int>(100.0 * progress.fraction)) + " %"};
+}
+
+}  // namespace encased_column

@@ -1,0 +1,180 @@
+#include "runner/deck_text.h"
+
+#include "core/input_error.h"
+#include "runner/text_file.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+namespace encased_column {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Brackets before products before sums.
+class Arithmetic {
+ public:
+  explicit Arithmetic(const std::string& text) : at_(text.c_str()) {}
+
+  std::optional<double> value()
+  {
+    const double x = sum(0);
+    if (*at_ || failed_ || !std::isfinite(x)) return std::nullopt;
+    return x;
+  }
+
+ private:
+  double sum(int depth)
+  {
+    double x = product(depth);
+    while (*at_ == '+' || *at_ == '-') {
+      const bool plus = *at_++ == '+';
+      x += plus ? product(depth) : -product(depth);
+    }
+    return x;
+  }
+  double product(int depth)
+  {
+    double x = factor(depth);
+    while (*at_ == '*' || *at_ == '/') {
+      const bool times = *at_++ == '*';
+      const double y = factor(depth);
+      x = times ? x * y : x / y;
+    }
+    return x;
+  }
+  double factor(int depth)
+  {
+    if (depth > 50) return fail();
+    if (*at_ == '-') return ++at_, -factor(depth + 1);
+    if (*at_ == '(') {
+      ++at_;
+      const double x = sum(depth + 1);
+      if (*at_ != ')') return fail();
+      ++at_;
+      return x;
+    }
+    if (!std::isdigit(static_cast<unsigned char>(*at_)) && *at_ != '.') return fail();
+    char* end = nullptr;
+    const double x = std::strtod(at_, &end);
+    at_ = end;
+    return x;
+  }
+  double fail()
+  {
+    failed_ = true;
+    return 0.0;
+  }
+
+  const char* at_;
+  bool failed_ = false;
+};
+
+std::string number_text(double x)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+}  // namespace
+
+std::optional<double> arithmetic_value(const std::string& text)
+{
+  return text.empty() ? std::nullopt : Arithmetic(text).value();
+}
+
+DeckText::DeckText(const Deck& deck, const Settings& asked) : deck_(deck)
+{
+  values_["common"] = deck.common.string();
+  values_["resume"] = "0";
+  for (const auto& [name, value] : asked) values_.emplace(name, value);
+  read(deck.file, 0);
+}
+
+void DeckText::read(const fs::path& file, int depth)
+{
+  std::istringstream stream(read_text_file(file, "a deck"));
+  std::string whole;
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t last = line.find_last_not_of(" \t\r");
+    if (last != std::string::npos && line[last] == '&') {
+      whole += line.substr(0, last) + " ";
+      continue;
+    }
+    take(whole + line, depth);
+    whole.clear();
+  }
+}
+
+// A value of a command line counts before those of index variables in the file; what is given
+// again counts last.
+void DeckText::take(const std::string& line, int depth)
+{
+  std::istringstream words(line);
+  std::string command, name, style, value;
+  words >> command >> name >> style >> value;
+  if (command == "variable" && style == "index") values_.emplace(name, value);
+  if (command == "variable" && style == "equal") values_[name] = value;
+  if (command == "include" && depth < 10) include(name, depth);
+  lines_.push_back(line);
+}
+
+void DeckText::include(const std::string& name, int depth)
+{
+  const auto known = replaced(name);
+  if (!known) return;
+  for (const fs::path& folder : {deck_.file.parent_path(), deck_.common})
+    if (fs::is_regular_file(folder / *known)) return read(folder / *known, depth + 1);
+}
+
+std::optional<std::string> DeckText::replaced(const std::string& text) const
+{
+  return replaced(text, 0);
+}
+
+std::optional<std::string> DeckText::replaced(const std::string& text, int depth) const
+{
+  std::string result = text;
+  for (std::size_t at = 0; (at = result.find("${", at)) != std::string::npos;) {
+    const std::size_t end = result.find('}', at);
+    if (end == std::string::npos || depth > 20) return std::nullopt;
+    const auto found = values_.find(result.substr(at + 2, end - at - 2));
+    if (found == values_.end()) return std::nullopt;
+    auto value = replaced(found->second, depth + 1);
+    if (!value) return std::nullopt;
+    if (const auto number = arithmetic_value(*value)) value = number_text(*number);
+    result.replace(at, end + 1 - at, *value);
+    at += value->size();
+  }
+  return result;
+}
+
+std::optional<double> DeckText::number(const std::string& variable) const
+{
+  const auto text = replaced("${" + variable + "}");
+  return text ? arithmetic_value(*text) : std::nullopt;
+}
+
+std::vector<std::string> DeckText::words(const std::string& command,
+                                         const std::string& keyword) const
+{
+  for (const std::string& line : lines_) {
+    std::string plain;
+    for (const char c : line.substr(0, line.find('#'))) plain += c == '"' ? ' ' : c;
+    std::istringstream stream(plain);
+    std::vector<std::string> found;
+    bool has_command = false, has_keyword = keyword.empty();
+    for (std::string word; stream >> word;) {
+      if (has_command) found.push_back(replaced(word).value_or(word));
+      has_command = has_command || word == command;
+      has_keyword = has_keyword || (has_command && word == keyword);
+    }
+    if (has_command && has_keyword) return found;
+  }
+  return {};
+}
+
+}  // namespace encased_column

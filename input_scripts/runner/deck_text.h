@@ -1,0 +1,47 @@
+#pragma once
+
+#include "runner/case_record.h"
+#include "runner/deck.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// The value of a sum or product as decks write them: numbers, + - * / and brackets. Nothing where
+/// the text holds anything else.
+std::optional<double> arithmetic_value(const std::string& text);
+
+/// The lines of a deck and of what it includes, as far as they can be known without the host: what
+/// depends on a condition is taken as it stands.
+class DeckText {
+ public:
+  /// `asked` are the values of the deck's own variables.
+  DeckText(const Deck& deck, const Settings& asked);
+
+  /// `text` with the variables in it replaced by their values; nothing if one is not known.
+  std::optional<std::string> replaced(const std::string& text) const;
+  /// The number that a variable is.
+  std::optional<double> number(const std::string& variable) const;
+  double number(const std::string& variable, double otherwise) const
+  {
+    return number(variable).value_or(otherwise);
+  }
+  /// The words behind `command` of the first line that has it and, unless that is empty, `keyword`;
+  /// with variables replaced. Empty where there is none.
+  std::vector<std::string> words(const std::string& command, const std::string& keyword) const;
+
+ private:
+  void read(const std::filesystem::path& file, int depth);
+  void take(const std::string& line, int depth);
+  void include(const std::string& name, int depth);
+  std::optional<std::string> replaced(const std::string& text, int depth) const;
+
+  const Deck& deck_;
+  std::map<std::string, std::string> values_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace encased_column
