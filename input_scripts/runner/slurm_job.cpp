@@ -78,18 +78,17 @@ std::string cases_script(const SlurmJob& job)
          head(job, job.name, "case_%a.txt") + "#SBATCH --array=" + array +
          "\n#SBATCH --requeue\n#SBATCH --signal=B:USR1@120\n" + options_of_site(job) + "cases=(" +
          all_in_shell(job.ids) + ")\ncase=${cases[SLURM_ARRAY_TASK_ID]}\n" + environment(job) +
-         all_in_shell(job.command) +
-         " --case \"$case\" &\n"
-         "run=$!\n"
          "# Before the time of the job ends the case is asked for a restart file, and then goes on "
          "in\n"
          "# another job. SIGTERM reaches it from Slurm itself.\n"
-         "trap 'kill -USR1 $run' USR1\n"
-         "trap : TERM\n"
-         "wait \"$run\"\n"
+         "trap '[[ -z $! ]] || kill -USR1 $!' USR1\n"
+         "trap : TERM\n" +
+         all_in_shell(job.command) +
+         " --case \"$case\" &\n"
+         "wait $!\n"
          "code=$?\n"
-         "while kill -0 \"$run\" 2>/dev/null; do\n"
-         "  wait \"$run\"\n"
+         "while kill -0 $! 2>/dev/null; do\n"
+         "  wait $!\n"
          "  code=$?\n"
          "done\n"
          "if ((code == 138)) && compgen -G \"$case/restart_*\" >/dev/null; then\n"
