@@ -8,6 +8,7 @@
 #include "report/pages.h"
 #include "tables/check_table.h"
 #include "tables/result_table.h"
+#include "tables/set_comparison.h"
 #include "tables/theory_table.h"
 
 #include <vtkObject.h>
@@ -43,7 +44,8 @@ void create_folder(const fs::path& folder)
 void write_tables(const ReportOptions& settings, const std::vector<SetResult>& sets,
                   const Targets& targets)
 {
-  const std::string table = result_text(sets, targets) + theory_text(sets);
+  const std::string table =
+      comparison_text(sets, targets) + result_text(sets, targets) + theory_text(sets);
   const std::string checks = check_text(sets), theory = theory_csv(sets);
   create_folder(settings.output);
   write_text(settings.output / "table.csv", result_csv(sets, targets));

@@ -184,7 +184,7 @@ std::vector<std::string> CaseFolder::command(const Places& places, int ranks, in
     words = {"mpirun", "-np", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};
   words.insert(words.end(),
                {places.host, "-in", "input/" + plan_.deck->file.filename().string(), "-log",
-                "log.liggghts", "-screen", "none", "-var", "common", "input/common"});
+                "log.liggghts", "-screen", "none", "-var", "common", common_of_case});
   for (const auto& [name, value] : plan_.given) words.insert(words.end(), {"-var", name, value});
   if (stage > 0) words.insert(words.end(), {"-var", "resume", std::to_string(stage)});
   return words;

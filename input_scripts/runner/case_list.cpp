@@ -65,28 +65,48 @@ std::vector<Case> chosen_rows(const Catalogue& catalogue, const RunOptions& opti
   return marked(catalogue.ours);
 }
 
-void check_resolution(const Deck& deck, const Settings& asked)
-{
-  const std::vector<std::string> known = deck.resolutions();
-  for (const auto& [name, value] : asked)
-    if (name == "resolution" && !known.empty() &&
-        std::find(known.begin(), known.end(), value) == known.end())
-      throw InputError("unknown resolution '" + value + "', expected one of: " + joined(known));
-}
-
 bool is_among(const std::vector<Case>& cases, const std::string& id)
 {
   return std::any_of(cases.begin(), cases.end(), [&](const Case& one) { return one.id == id; });
 }
 
-void list_variables(std::ostream& out, const Deck& deck)
+/// The value of `name` in `deck`, for reading.
+std::string listed_value(const Deck& deck, const std::string& name)
 {
+  const DeckVariable* variable = deck.find(name);
+  if (!variable) return "-";
+  const std::string& value = variable->value;
+  const std::string in_common = "${common}/";
+  if (value.rfind(in_common, 0) == 0) return "common/" + value.substr(in_common.size());
+  if (value.rfind("${", 0) == 0 && value.back() == '}')
+    return "as " + value.substr(2, value.size() - 3);
+  return value;
+}
+
+/// One row a variable; where the sets of parameters differ, each has its value.
+void list_variables(std::ostream& out, const Deck& deck, DeckCatalogue& decks)
+{
+  const std::vector<std::string> sets = deck.choices("parameters");
+  out << "\nVariables of " << deck.name << ", for --set NAME=VALUE (default, unit, meaning"
+      << (sets.empty() ? "" : "; where they differ, by the set of parameters") << "):\n";
+  std::vector<const Deck*> columns;
+  for (const std::string& set : sets) columns.push_back(&decks.with(deck, {{"parameters", set}}));
+  if (columns.empty()) columns.push_back(&deck);
+  const auto write_row = [&](const std::string& name, const std::vector<std::string>& values,
+                             const std::string& unit, const std::string& meaning) {
+    out << "  " << std::left << std::setw(18) << name;
+    for (const std::string& value : values) out << ' ' << std::setw(13) << value;
+    out << ' ' << std::setw(13) << unit << ' ' << meaning << '\n';
+  };
+  if (!sets.empty()) write_row("variable", sets, "unit", "meaning");
   for (const DeckVariable& variable : deck.variables) {
-    std::string value = variable.value;
-    if (value.rfind("${", 0) == 0 && value.back() == '}')
-      value = "as " + value.substr(2, value.size() - 3);
-    out << "  " << std::left << std::setw(18) << variable.name << ' ' << std::setw(14) << value
-        << ' ' << std::setw(13) << variable.unit << ' ' << variable.meaning << '\n';
+    std::vector<std::string> values;
+    for (const Deck* column : columns) values.push_back(listed_value(*column, variable.name));
+    if (std::count(values.begin(), values.end(), values.front()) ==
+        static_cast<long>(values.size()))
+      values.resize(1);
+    values.resize(columns.size());
+    write_row(variable.name, values, variable.unit, variable.meaning);
   }
 }
 
@@ -121,13 +141,12 @@ std::vector<CasePlan> chosen_cases(const Catalogue& catalogue, DeckCatalogue& de
       throw InputError("a deck must say which variables it uses, found no 'record_variables' in '" +
                        shown(deck.file) +
                        "', write 'record_variables file variables.csv' behind its last variable");
-    CasePlan plan{row,
-                  &deck,
-                  given_variables(deck, row.variables, options.resolution, options.settings()),
-                  {}};
-    plan.asked = asked_variables(deck, plan.given);
-    check_resolution(deck, plan.asked);
-    plans.push_back(std::move(plan));
+    const Settings given = given_variables(row.variables, options.resolution, options.settings());
+    check_choices(deck, given);
+    const Deck& own = decks.with(deck, given);
+    check_names(own, given);
+    const Settings placed = with_found_tables(own, given);
+    plans.push_back({row, &own, placed, asked_variables(own, placed)});
   }
   return plans;
 }
@@ -137,8 +156,8 @@ void list_cases(std::ostream& out, const Catalogue& catalogue, DeckCatalogue& de
 {
   out << "Cases (* run by default):\n";
   for (const Case& one : catalogue.all())
-    out << (one.by_default ? '*' : ' ') << ' ' << std::left << std::setw(16) << one.id << ' '
-        << std::setw(36) << one.title
+    out << (one.by_default ? '*' : ' ') << ' ' << std::left << std::setw(18) << one.id << ' '
+        << std::setw(50) << one.title
         << (one.reproduces.empty() ? "" : " reproduces " + one.reproduces) << '\n';
   out << "\nSeries, for --series NAME: " << every_series << ' '
       << joined(series_names(catalogue.all())) << '\n';
@@ -147,10 +166,7 @@ void list_cases(std::ostream& out, const Catalogue& catalogue, DeckCatalogue& de
     shown_decks.push_back(&decks.find(name, "", "deck"));
   if (!options.deck.empty())
     shown_decks.push_back(&decks.find(fs::absolute(options.deck).string(), "", "--deck"));
-  for (const Deck* deck : shown_decks) {
-    out << "\nVariables of " << deck->name << ", for --set NAME=VALUE (default, unit, meaning):\n";
-    list_variables(out, *deck);
-  }
+  for (const Deck* deck : shown_decks) list_variables(out, *deck, decks);
 }
 
 }  // namespace encased_column

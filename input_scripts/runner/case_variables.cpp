@@ -12,6 +12,13 @@ namespace encased_column {
 
 namespace {
 
+void replace_reference(std::string& value, const std::string& name, const std::string& by)
+{
+  const std::string reference = "${" + name + "}";
+  const std::size_t at = value.find(reference);
+  if (at != std::string::npos) value.replace(at, reference.size(), by);
+}
+
 const std::string* value_of(const Settings& settings, const std::string& name)
 {
   for (const Setting& setting : settings)
@@ -44,17 +51,39 @@ Settings last_of_each(const Settings& settings)
   return merged;
 }
 
-Settings given_variables(const Deck& deck, const Settings& row, const std::string& resolution,
-                         const Settings& set)
+Settings given_variables(const Settings& row, const std::string& resolution, const Settings& set)
 {
   Settings all = row;
   if (!resolution.empty()) all.emplace_back("resolution", resolution);
   all.insert(all.end(), set.begin(), set.end());
-  for (const Setting& setting : all)
+  return last_of_each(all);
+}
+
+void check_names(const Deck& deck, const Settings& given)
+{
+  for (const Setting& setting : given)
     if (!deck.find(setting.first))
       throw InputError("deck " + deck.name + " has no variable '" + setting.first +
                        "', expected one of: " + joined(deck.names()));
-  return last_of_each(all);
+}
+
+Settings with_found_tables(const Deck& deck, Settings given)
+{
+  namespace fs = std::filesystem;
+  for (auto& [name, value] : given) {
+    const fs::path file = value;
+    if (file.extension() != ".csv") continue;
+    if (!file.has_parent_path() && fs::is_regular_file(deck.common / file)) {
+      value = std::string(common_of_case) + "/" + value;
+      continue;
+    }
+    if (!fs::is_regular_file(file))
+      throw InputError("'" + name + "' must be a CSV file in '" + shown(deck.common) +
+                       "' or the path of one, found no '" + value.substr(0, 200) +
+                       "', check its name");
+    value = fs::absolute(file).lexically_normal();
+  }
+  return given;
 }
 
 Settings asked_variables(const Deck& deck, const Settings& given)
@@ -64,11 +93,8 @@ Settings asked_variables(const Deck& deck, const Settings& given)
     const std::string* own = value_of(given, variable.name);
     std::string value = own ? *own : variable.value;
     // As the host does where it reads the line: only what stands before it is known there.
-    for (const Setting& before : asked) {
-      const std::string reference = "${" + before.first + "}";
-      const std::size_t at = value.find(reference);
-      if (at != std::string::npos) value.replace(at, reference.size(), before.second);
-    }
+    replace_reference(value, "common", common_of_case);
+    for (const Setting& before : asked) replace_reference(value, before.first, before.second);
     asked.emplace_back(variable.name, value);
   }
   return asked;

@@ -12,10 +12,18 @@ namespace encased_column {
 Settings last_of_each(const Settings& settings);
 
 /// What a case gives the host besides its deck: the variables of its row, then `resolution` (unless
-/// empty), then those of --set; each once. Throws InputError, for the case `id`, for one that the
-/// deck does not have.
-Settings given_variables(const Deck& deck, const Settings& row, const std::string& resolution,
-                         const Settings& set);
+/// empty), then those of --set; each once.
+Settings given_variables(const Settings& row, const std::string& resolution, const Settings& set);
+
+/// Throws InputError for a variable of `given` that the deck does not have.
+void check_names(const Deck& deck, const Settings& given);
+
+/// The folder `common` of a case, seen from its run folder.
+inline const char* const common_of_case = "input/common";
+
+/// Those of `given` that name a CSV file, by its name in `common` or by a path, with the path where
+/// the run finds it: a case runs in a folder of its own. Throws InputError where there is none.
+Settings with_found_tables(const Deck& deck, Settings given);
 
 /// All variables of `deck` as a case with `given` asks for them, in the deck's order; those that
 /// take their value from another one have it.

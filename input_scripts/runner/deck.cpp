@@ -22,9 +22,24 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
+const std::string* value_in(const Settings& settings, const std::string& name)
+{
+  for (const Setting& setting : settings)
+    if (setting.first == name) return &setting.second;
+  return nullptr;
+}
+
+/// The value of `variable` as `given`, or else as `deck` has it; nullptr if it knows none.
+const std::string* value_of(const std::string& variable, const Deck& deck, const Settings& given)
+{
+  const std::string* own = value_in(given, variable);
+  const DeckVariable* known = deck.find(variable);
+  return own || !known ? own : &known->value;
+}
+
 class DeckReader {
  public:
-  explicit DeckReader(Deck& deck) : deck_(deck) {}
+  DeckReader(Deck& deck, const Settings& given) : deck_(deck), given_(given) {}
 
   void read(const fs::path& file, int depth = 0)
   {
@@ -54,20 +69,28 @@ class DeckReader {
     return {name, value, found[1], found[2]};
   }
 
-  // Of an included file whose name holds another variable than these the deck itself must know.
-  void include(std::string name, int depth)
+  // Of an included file that two variables name, or one that is not known yet, the deck itself must
+  // know.
+  void include(const std::string& written, int depth)
   {
-    const auto common = replaced(name, "${common}/", "");
-    const DeckVariable* resolution = deck_.find("resolution");
-    name = resolution ? replaced(common, "${resolution}", resolution->value) : common;
+    static const std::regex by_variable(R"(([^$]*)\$\{(\w+)\}([^$]*))");
+    std::string name = replaced(written, "${common}/", "");
+    std::smatch found;
+    if (std::regex_match(name, found, by_variable)) {
+      const ChosenFile chosen{found[2], found[1], found[3]};
+      const std::string* value = value_of(chosen.variable, deck_, given_);
+      if (!value) return;
+      if (name != written) deck_.chosen.push_back(chosen);
+      name = chosen.name(*value);
+    }
     if (name.find('$') != std::string::npos) return;
     const fs::path beside = deck_.file.parent_path() / name, shared = deck_.common / name;
-    const bool is_common = common.size() != name.size() || fs::exists(shared);
-    const fs::path file = is_common && fs::exists(shared) ? shared : beside;
+    const fs::path file = fs::exists(shared) ? shared : beside;
     if (fs::is_regular_file(file)) read(file, depth + 1);
   }
 
   Deck& deck_;
+  const Settings& given_;
   std::set<std::string> known_;
 };
 
@@ -87,32 +110,54 @@ std::vector<std::string> Deck::names() const
   return all;
 }
 
-std::vector<std::string> Deck::resolutions() const
+std::vector<std::string> Deck::choices(const std::string& variable) const
 {
-  const std::vector<std::string> usual{"quick", "standard", "paper"};
+  const auto choice = std::find_if(chosen.begin(), chosen.end(),
+                                   [&](const ChosenFile& c) { return c.variable == variable; });
+  if (choice == chosen.end()) return {};
+  const std::vector<std::string> usual{"quick", "standard", "paper", "study", "laboratory"};
+  const std::size_t around = choice->before.size() + choice->after.size();
   std::vector<std::string> found;
   std::error_code failure;
   for (const auto& entry : fs::directory_iterator(common, failure)) {
-    const std::string stem = entry.path().stem();
-    if (stem.rfind("resolution_", 0) == 0) found.push_back(stem.substr(11));
+    const std::string file = entry.path().filename();
+    if (file.size() <= around) continue;
+    const std::string value = file.substr(choice->before.size(), file.size() - around);
+    if (file == choice->name(value)) found.push_back(value);
   }
   std::sort(found.begin(), found.end(), [&](const std::string& a, const std::string& b) {
-    const auto place = [&](const std::string& r) {
-      return std::find(usual.begin(), usual.end(), r) - usual.begin();
+    const auto place = [&](const std::string& value) {
+      return std::find(usual.begin(), usual.end(), value) - usual.begin();
     };
     return place(a) != place(b) ? place(a) < place(b) : a < b;
   });
   return found;
 }
 
-Deck read_deck(const std::string& name, const fs::path& file, const fs::path& common)
+Deck read_deck(const std::string& name, const fs::path& file, const fs::path& common,
+               const Settings& given)
 {
-  Deck deck{name, file, common, {}, false, true};
-  DeckReader(deck).read(file);
+  Deck deck{name, file, common, {}, {}, false, true};
+  DeckReader(deck, given).read(file);
   return deck;
 }
 
-namespace fs = std::filesystem;
+void check_choices(const Deck& deck, const Settings& given)
+{
+  for (const ChosenFile& choice : deck.chosen) {
+    const std::string& value = *value_of(choice.variable, deck, given);
+    const std::vector<std::string> known = deck.choices(choice.variable);
+    if (std::find(known.begin(), known.end(), value) == known.end()) {
+      if (known.empty()) continue;  // its files lie beside the deck
+      throw InputError("unknown " + choice.variable + " '" + value.substr(0, 200) +
+                       "', expected one of: " + joined(known));
+    }
+    if (fs::is_regular_file(deck.common / choice.name(value))) continue;
+    throw InputError("deck " + deck.name + " must find each file of " + choice.variable + " '" +
+                     value + "' in '" + shown(deck.common) + "', found no '" + choice.name(value) +
+                     "', write it with the variables of '" + choice.name(known.front()) + "'");
+  }
+}
 
 std::vector<std::string> DeckCatalogue::names() const
 {
@@ -140,11 +185,23 @@ const Deck& DeckCatalogue::find(const std::string& name, const fs::path& folder,
                        "', check its name");
     if (fs::is_directory(file.parent_path() / "common")) common = file.parent_path() / "common";
   }
-  const auto known = decks_.find(file);
+  const auto known = decks_.find({file, {}});
   if (known != decks_.end()) return known->second;
-  Deck& deck = decks_.emplace(file, read_deck(file.stem(), file, common)).first->second;
+  Deck deck = read_deck(file.stem(), file, common);
   deck.ours = ours;
-  return deck;
+  return decks_.emplace(std::pair(file, Settings()), std::move(deck)).first->second;
+}
+
+const Deck& DeckCatalogue::with(const Deck& deck, const Settings& given)
+{
+  Settings choosing;
+  for (const Setting& setting : given)
+    if (!deck.choices(setting.first).empty()) choosing.push_back(setting);
+  const auto known = decks_.find({deck.file, choosing});
+  if (known != decks_.end()) return known->second;
+  Deck other = read_deck(deck.name, deck.file, deck.common, choosing);
+  other.ours = deck.ours;
+  return decks_.emplace(std::pair(deck.file, choosing), std::move(other)).first->second;
 }
 
 }  // namespace encased_column

@@ -118,6 +118,15 @@ void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& l
   axis->AutoScale();
 }
 
+/// Letters of a title [px]: smaller where it would run over the labels of the axis.
+int title_size(const std::string& title)
+{
+  constexpr int usual = 20, least = 14, fitting = 62;  // [px, px, letters at the usual size]
+  const auto letters = std::count_if(title.begin(), title.end(),
+                                     [](unsigned char c) { return (c & 0xC0) != 0x80; });  // UTF-8
+  return letters <= fitting ? usual : std::max(least, usual * fitting / static_cast<int>(letters));
+}
+
 void add_legend(vtkChartXY* chart)
 {
   chart->SetShowLegend(true);
@@ -137,7 +146,7 @@ void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place, 
   chart->SetAutoSize(false);
   chart->SetSize(place);
   if (look.complete) chart->SetTitle(panel.title);
-  set_font(chart->GetTitleProperties(), 20);
+  set_font(chart->GetTitleProperties(), title_size(panel.title));
   for (const Series& series : panel.series) add_series(chart, series, panel.y.logarithmic);
   style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x, range(panel.x, panel.series, &Series::x),
              look);

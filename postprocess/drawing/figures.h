@@ -8,6 +8,9 @@
 
 namespace encased_column {
 
+// Tests made with several sets of parameters are drawn apart: each figure over axial strain, p or
+// displacement has its panels once for each set, whose name their titles end with.
+
 /// What only encased tests have, a panel for each test: radial_strain (at three heights, with the
 /// study's end values), platens (q of both, with the closed form), radial_profile (along the
 /// height) and hoop_tension (mean and largest, with the limit of the strip test); and

@@ -1,5 +1,6 @@
 #include "drawing/figures.h"
 
+#include "drawing/by_parameters.h"
 #include "drawing/labels.h"
 #include "files/column_names.h"
 
@@ -124,9 +125,7 @@ Panel core_path(const std::vector<Curve>& curves, const Targets& targets)
   return panel;
 }
 
-}  // namespace
-
-std::vector<Figure> load_figures(const std::vector<SetResult>& sets, const Targets& targets)
+std::vector<Figure> load_figures_of_set(const std::vector<SetResult>& sets, const Targets& targets)
 {
   const std::vector<Curve> curves = curves_of(sets);
   Figure paths{"stress_path",
@@ -142,6 +141,14 @@ std::vector<Figure> load_figures(const std::vector<SetResult>& sets, const Targe
            {pressure(curves, "upper", &ShearRecord::stress_top),
             pressure(curves, "lower", &ShearRecord::stress_bottom)}},
           paths};
+}
+
+}  // namespace
+
+std::vector<Figure> load_figures(const std::vector<SetResult>& sets, const Targets& targets)
+{
+  return drawn_by_parameters(
+      sets, [&](const auto& group) { return load_figures_of_set(group, targets); });
 }
 
 }  // namespace encased_column

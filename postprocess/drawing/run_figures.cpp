@@ -1,5 +1,6 @@
 #include "drawing/figures.h"
 
+#include "drawing/by_parameters.h"
 #include "drawing/labels.h"
 #include "files/column_names.h"
 
@@ -49,9 +50,7 @@ Figure energy(const TestResult& test)
           {panel}};
 }
 
-}  // namespace
-
-Figure check_figure(const std::vector<SetResult>& sets)
+Figure checks_of_set(const std::vector<SetResult>& sets)
 {
   const Axis strain{axial_strain_title, false, 0.0, {}};
   Panel unbalanced{"Unbalanced force ratio (average), limit for the start of shear",
@@ -91,6 +90,16 @@ Figure check_figure(const std::vector<SetResult>& sets)
   return {"checks", "Equilibrium, rate and platens during shear",
           "Grey: what is allowed; the unbalanced ratio is a condition for the start of shear only.",
           panels};
+}
+
+}  // namespace
+
+Figure check_figure(const std::vector<SetResult>& sets)
+{
+  const FigureMaker make = [](const auto& group) {
+    return std::vector<Figure>{checks_of_set(group)};
+  };
+  return drawn_by_parameters(sets, make).front();
 }
 
 std::vector<Figure> energy_figures(const std::vector<SetResult>& sets)

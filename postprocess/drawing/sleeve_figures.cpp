@@ -1,5 +1,6 @@
 #include "drawing/figures.h"
 
+#include "drawing/by_parameters.h"
 #include "drawing/labels.h"
 #include "files/column_names.h"
 #include "tables/text_layout.h"
@@ -154,9 +155,8 @@ void add(std::vector<Figure>& figures, Figure figure)
   if (!figure.panels.empty()) figures.push_back(std::move(figure));
 }
 
-}  // namespace
-
-std::vector<Figure> sleeve_figures(const std::vector<SetResult>& sets, const Targets& targets)
+std::vector<Figure> sleeve_figures_of_set(const std::vector<SetResult>& sets,
+                                          const Targets& targets)
 {
   std::vector<Panel> strains, stresses, profiles, tensions, expansions;
   const std::vector<NamedTest> tests = encased_tests(sets);
@@ -189,6 +189,14 @@ std::vector<Figure> sleeve_figures(const std::vector<SetResult>& sets, const Tar
   add(figures, {"hoop_tension", "Hoop tension of the sleeve",
                 "Grey: the last step of the study's strip test (Table 3).", tensions});
   return figures;
+}
+
+}  // namespace
+
+std::vector<Figure> sleeve_figures(const std::vector<SetResult>& sets, const Targets& targets)
+{
+  return drawn_by_parameters(
+      sets, [&](const auto& group) { return sleeve_figures_of_set(group, targets); });
 }
 
 }  // namespace encased_column

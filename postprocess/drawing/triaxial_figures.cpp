@@ -1,6 +1,7 @@
 #include "drawing/figures.h"
 
 #include "core/constants.h"
+#include "drawing/by_parameters.h"
 #include "drawing/labels.h"
 #include "tables/text_layout.h"
 
@@ -26,8 +27,9 @@ std::string platen_title(const std::vector<SetResult>& sets)
   const Platen first = sets.front().tests.front().platen;
   const Platen last = sets.back().tests.front().platen;
   if (first == last) return "q: " + platen_name(first);
-  return "q: " + platen_name(first) + " (" + kind(sets.front()) + "), " + platen_name(last) + " (" +
-         kind(sets.back()) + ")";
+  const auto name = [](Platen p) { return p == Platen::mean ? "mean of both" : platen_name(p); };
+  return "q: " + name(first) + " (" + kind(sets.front()) + "), " + name(last) + " (" +
+         kind(sets.back()) + ")";  // short enough to stand above its chart
 }
 
 /// One curve for each test: `factor` times the values `member` over axial strain [%].
@@ -92,9 +94,8 @@ void add_set(Panel& panel, const SetResult& set, std::size_t first_color, const 
   panel.series.push_back(peaks);
 }
 
-}  // namespace
-
-std::vector<Figure> triaxial_figures(const std::vector<SetResult>& sets, const Targets& targets)
+std::vector<Figure> triaxial_figures_of_set(const std::vector<SetResult>& sets,
+                                            const Targets& targets)
 {
   Panel stress = curves(sets, &TestResult::deviatoric_stress, 1e-3);
   stress.title = platen_title(sets);
@@ -122,6 +123,14 @@ std::vector<Figure> triaxial_figures(const std::vector<SetResult>& sets, const T
            "Failure lines in the p-q plane",
            "Through the peaks; the study has it in Figure 7b (encased).",
            {strength}}};
+}
+
+}  // namespace
+
+std::vector<Figure> triaxial_figures(const std::vector<SetResult>& sets, const Targets& targets)
+{
+  return drawn_by_parameters(
+      sets, [&](const auto& group) { return triaxial_figures_of_set(group, targets); });
 }
 
 }  // namespace encased_column

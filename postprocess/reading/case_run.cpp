@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <regex>
 #include <tuple>
 
@@ -47,17 +48,22 @@ CaseRun read_description(const fs::path& folder)
     if (!value.empty() && !*end && std::isfinite(number)) run.variables[name] = number;
     run.inputs.emplace_back(name, value);
     if (name == "resolution") run.resolution = value;
+    if (name == "parameters") run.parameters = value;
   }
   return run;
 }
 
-/// The title of `run` with the stress and the resolution it was made with: the one given is that of
-/// its row in series.csv, whatever was set besides.
+/// The title of `run` with the stress, the parameters and the resolution it was made with: the one
+/// given is that of its row in series.csv, whatever was set besides.
 std::string own_title(const CaseRun& run)
 {
   static const std::regex stress(R"(\bat \S+ kPa\b)");
   const std::string own = "at " + in_words(run.confining_stress / 1e3) + " kPa";
-  const std::string title = std::regex_replace(run.title, stress, own);
+  std::string title = std::regex_replace(run.title, stress, own);
+  if (!run.parameters.empty()) {
+    static const std::regex parameters(R"(, parameters [^, ]+)");
+    title = std::regex_replace(title, parameters, "") + ", parameters " + run.parameters;
+  }
   return run.resolution.empty() ? title : title + ", resolution " + run.resolution;
 }
 
@@ -113,8 +119,8 @@ CaseRuns read_case_runs(const std::vector<fs::path>& folders)
     throw InputError("figures take one triaxial run that reached shear at least, found none in '" +
                      folders.front().string() + "', see the log.liggghts of the cases");
   std::stable_sort(found.runs.begin(), found.runs.end(), [](const CaseRun& a, const CaseRun& b) {
-    return std::make_tuple(a.encased(), a.confining_stress) <
-           std::make_tuple(b.encased(), b.confining_stress);
+    return std::make_tuple(a.encased(), std::cref(a.parameters), a.confining_stress) <
+           std::make_tuple(b.encased(), std::cref(b.parameters), b.confining_stress);
   });
   return found;
 }

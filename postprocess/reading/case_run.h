@@ -19,6 +19,7 @@ struct CaseRun {
   std::string reproduces;  ///< of the study; empty if the case does not say
   std::vector<std::pair<std::string, std::string>> inputs;  ///< all variables, in the deck's order
   std::string resolution;                                   ///< empty if the deck has none
+  std::string parameters;  ///< the set its values are from; empty if the deck has none
   std::map<std::string, double> variables;    ///< the numbers among the deck's variables
   bool has_sleeve = false;                    ///< it has written a sleeve's files
   double confining_stress;                    ///< sigma3 asked for [Pa]
@@ -32,7 +33,7 @@ struct CaseRun {
 
 /// The runs found, and a sentence for each folder that was left out and why.
 struct CaseRuns {
-  std::vector<CaseRun> runs;  ///< plain before encased, then by confining stress
+  std::vector<CaseRun> runs;  ///< plain before encased, then by parameters and confining stress
   std::vector<std::string> left_out;
 };
 

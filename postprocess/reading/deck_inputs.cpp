@@ -1,9 +1,8 @@
 #include "reading/deck_inputs.h"
 
-#include <algorithm>
+#include "runner/deck.h"
+
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <regex>
 
 namespace encased_column {
@@ -11,33 +10,6 @@ namespace encased_column {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What stands behind `variable NAME index VALUE #` in the deck files of `folder`.
-std::map<std::string, std::string> comments_of(const fs::path& folder)
-{
-  static const std::regex line_with_comment(R"(^variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*))");
-  std::map<std::string, std::string> comments;
-  if (!fs::is_directory(folder)) return comments;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.path().extension() != ".lmp") continue;
-    std::ifstream deck(entry.path());
-    std::smatch found;
-    for (std::string line; std::getline(deck, line);)
-      if (std::regex_match(line, found, line_with_comment)) comments[found[1]] = found[2];
-  }
-  return comments;
-}
-
-/// Takes the unit in brackets that a comment begins with off it.
-std::string take_unit(std::string& comment)
-{
-  static const std::regex unit_and_meaning(R"(\[([^\]]+)\]\s*(.*))");
-  std::smatch found;
-  if (!std::regex_match(comment, found, unit_and_meaning)) return "-";
-  const std::string unit = found[1];
-  comment = found.str(2);
-  return unit;
-}
 
 /// `value` with each ${name} in it replaced by that variable.
 std::string resolved(std::string value, const CaseRun& run)
@@ -57,12 +29,17 @@ std::string resolved(std::string value, const CaseRun& run)
 
 std::vector<DeckInput> deck_inputs(const CaseRun& run)
 {
-  std::map<std::string, std::string> comments = comments_of(run.folder / "input");
+  // The files that the run's own variables choose: of two sets the one it used tells its sources.
+  const fs::path input = run.folder / "input", file = input / (run.deck + ".lmp");
+  Deck deck;
+  if (fs::is_regular_file(file)) deck = read_deck(run.deck, file, input / "common", run.inputs);
   std::vector<DeckInput> inputs;
   for (const auto& [name, value] : run.inputs) {
-    std::string meaning = comments[name];
-    const std::string unit = take_unit(meaning);
-    inputs.push_back({name, resolved(value, run), unit, meaning.empty() ? "-" : meaning});
+    const DeckVariable* known = deck.find(name);
+    const bool has_unit = known && known->unit.size() > 2;
+    inputs.push_back({name, resolved(value, run),
+                      has_unit ? known->unit.substr(1, known->unit.size() - 2) : "-",
+                      known && !known->meaning.empty() ? known->meaning : "-"});
   }
   return inputs;
 }

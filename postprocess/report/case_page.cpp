@@ -106,7 +106,8 @@ void set_results(PageData& page, const TestResult& test, const Sets& sets, const
 void set_run(PageData& page, const TestResult& test, const Sets& sets, const RunRecord& record)
 {
   const CaseRun& run = *test.run;
-  set_table(page, "checks", "Checks of this run", without(check_rows(sets), "test"));
+  set_table(page, "checks", "Checks of this run",
+            without(without(check_rows(sets), "test"), "parameters"));
   const CheckCount count = count_checks(sets);
   page.set("check_sentence", count.sentence());
   page.set("failed", count.failed ? PageData::type::bool_true : PageData::type::bool_false);

@@ -8,6 +8,7 @@
 #include "tables/check_table.h"
 #include "tables/page_tables.h"
 #include "tables/result_table.h"
+#include "tables/set_comparison.h"
 #include "tables/theory_table.h"
 
 namespace encased_column {
@@ -24,11 +25,14 @@ std::string heading_of(const SetResult& set)
   return set.tests.front().run->encased() ? "Encased" : "Plain";
 }
 
+const std::string parameters_heading = "parameters";
+
 std::vector<std::string> as_words(const TestResult& test, const RunRecord& record)
 {
   const CaseRun& run = *test.run;
   const CheckCount count = count_checks({{run.set(), {test}, {}}});
   return {run.id,
+          run.parameters.empty() ? "-" : run.parameters,
           in_words(run.confining_stress / 1e3),
           run.resolution.empty() ? "-" : run.resolution,
           test.grains ? std::to_string(*test.grains) : "-",
@@ -43,8 +47,9 @@ std::vector<std::string> as_words(const TestResult& test, const RunRecord& recor
 
 void set_tests(PageData& page, const std::vector<SetResult>& sets, const fs::path& folder)
 {
-  Rows rows{{"test", "σ₃ [kPa]", "resolution", "grains [-]", "n at start [-]", "peak q [kPa]",
-             "E50 [MPa]", "strain reached [%]", "checks passed", "warnings [-]", "time"}};
+  Rows rows{{"test", parameters_heading, "σ₃ [kPa]", "resolution", "grains [-]", "n at start [-]",
+             "peak q [kPa]", "E50 [MPa]", "strain reached [%]", "checks passed", "warnings [-]",
+             "time"}};
   PageData pages{PageData::type::list}, repeats{PageData::type::list};
   for (const SetResult& set : sets)
     for (const TestResult& test : set.tests) {
@@ -57,6 +62,7 @@ void set_tests(PageData& page, const std::vector<SetResult>& sets, const fs::pat
                                                                        ? std::string()
                                                                        : record.commands.front())};
     }
+  if (!name_parameters(sets)) rows = without(rows, parameters_heading);
   page.set("tests", table_data("tests_table", "Tests of this series", rows));
   page.set("pages", pages);
   page.set("repeats", repeats);
@@ -65,6 +71,8 @@ void set_tests(PageData& page, const std::vector<SetResult>& sets, const fs::pat
 void set_results(PageData& page, const std::vector<SetResult>& sets, const Targets& targets)
 {
   PageData tables{PageData::type::list}, notes{PageData::type::list};
+  for (const SetComparison& comparison : set_comparisons(sets, targets))
+    tables << table_data("sets_" + comparison.set, comparison.caption, comparison.rows);
   for (const SetResult& set : sets) {
     Rows rows{result_headings};
     for (const ResultRow& row : result_rows(set, targets)) {
@@ -72,8 +80,10 @@ void set_results(PageData& page, const std::vector<SetResult>& sets, const Targe
       rows.back()[1] += row.unit == "-" ? "" : " [" + row.unit + "]";
     }
     tables << table_data(
-        "results_" + set.set,
-        heading_of(set) + " triaxial tests, q from the " + platen_name(set.tests.front().platen),
+        "results_" + set.set + (set.parameters().empty() ? "" : "_" + set.parameters()),
+        heading_of(set) + " triaxial tests" +
+            (set.parameters().empty() ? "" : ", parameters " + set.parameters()) + ", q from the " +
+            platen_name(set.tests.front().platen),
         without(rows, "unit"), "quantity");
     for (const std::string& note : result_notes(set)) notes << PageData{"sentence", note};
   }
@@ -103,7 +113,10 @@ std::string series_page(const std::vector<SetResult>& sets, const Targets& targe
   std::size_t tests = 0;
   std::vector<Picture> pictures;
   for (const SetResult& set : sets) {
-    kinds += kinds.empty() ? heading_of(set) : " and encased";  // plain tests come first
+    if (kinds.empty())
+      kinds = heading_of(set);
+    else if (kinds == "Plain" && heading_of(set) == "Encased")  // plain tests come first
+      kinds += " and encased";
     tests += set.tests.size();
     for (const TestResult& test : set.tests)
       for (Picture& picture : pictures_of(*test.run, folder / "figures", small_picture_width))

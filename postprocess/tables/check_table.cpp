@@ -19,12 +19,15 @@ std::string verdict(const Check& check)
 Rows check_rows(const std::vector<SetResult>& sets)
 {
   Rows rows{{"test", "check", "found", "allowed", "verdict"}};
+  const bool named = name_parameters(sets);
+  if (named) rows.front().insert(rows.front().begin() + 1, "parameters");
   for (const SetResult& set : sets)
     for (const TestResult& test : set.tests)
       for (const Check& check : test.checks) {
         char found[32] = "-";
         if (check.made) std::snprintf(found, sizeof found, "%.3g", check.found);
         rows.push_back({test.run->id, check.name, found, in_words(check.allowed), verdict(check)});
+        if (named) rows.back().insert(rows.back().begin() + 1, set.parameters());
       }
   return rows;
 }
@@ -51,8 +54,9 @@ CheckCount count_checks(const std::vector<SetResult>& sets)
 
 std::string check_text(const std::vector<SetResult>& sets)
 {
-  return aligned(check_rows(sets), {false, false, true, true, false}) +
-         count_checks(sets).sentence() + '\n';
+  std::vector<bool> right{false, false, true, true, false};
+  if (name_parameters(sets)) right.insert(right.begin(), false);
+  return aligned(check_rows(sets), right) + count_checks(sets).sentence() + '\n';
 }
 
 std::string check_csv(const std::vector<SetResult>& sets)

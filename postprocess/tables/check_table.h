@@ -8,7 +8,8 @@
 
 namespace encased_column {
 
-/// The checks of all tests, one row each, below a row of headings.
+/// The checks of all tests, one row each, below a row of headings; the set of parameters stands
+/// beside the test where the runs say it.
 Rows check_rows(const std::vector<SetResult>& sets);
 
 /// How many of the required checks failed, and how many could not be made.

@@ -7,6 +7,8 @@
 #include "reading/frame_files.h"
 #include "tables/outside_check.h"
 
+#include <algorithm>
+
 namespace encased_column {
 
 namespace {
@@ -27,8 +29,7 @@ std::vector<double> deviatoric_stress(const TextTable& history, Platen platen)
   return mean_of(history.numbers(top), history.numbers(bottom));
 }
 
-// No variable of the decks: each has `fix gravity all gravity 9.8`.
-constexpr double gravity_of_decks = 9.8;  // m/s^2
+constexpr double gravity_of_study = 9.8;  // m/s^2, of runs from before it was a variable
 
 /// Stress of the grains' weight at each sample [Pa]; none where the run does not know their
 /// density.
@@ -36,11 +37,13 @@ std::vector<double> weight_stresses(const CaseRun& run)
 {
   const auto density = run.variables.find("density");
   if (density == run.variables.end()) return {};
+  const auto known = run.variables.find("gravity");
+  const double gravity = known == run.variables.end() ? gravity_of_study : known->second;
   const std::vector<double> porosity = run.history.numbers(history_column::porosity);
   const std::vector<double> height = run.history.numbers(history_column::height);
   std::vector<double> stresses;
   for (std::size_t i = 0; i < height.size(); ++i)
-    stresses.push_back(weight_stress(density->second, gravity_of_decks, porosity[i], height[i]));
+    stresses.push_back(weight_stress(density->second, gravity, porosity[i], height[i]));
   return stresses;
 }
 
@@ -121,12 +124,19 @@ Platen platen_of(const std::string& word)
                    "', write for example '--platen bottom'");
 }
 
+bool name_parameters(const std::vector<SetResult>& sets)
+{
+  return std::any_of(sets.begin(), sets.end(),
+                     [](const SetResult& set) { return !set.parameters().empty(); });
+}
+
 std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen,
                                 const std::optional<StripLimit>& strip)
 {
   std::vector<SetResult> sets;
   for (const CaseRun& run : runs) {
-    if (sets.empty() || sets.back().set != run.set()) sets.push_back({run.set(), {}, {}});
+    if (sets.empty() || sets.back().set != run.set() || sets.back().parameters() != run.parameters)
+      sets.push_back({run.set(), {}, {}});
     const Platen usual = run.encased() ? Platen::bottom : Platen::mean;
     try {
       sets.back().tests.push_back(evaluate_run(run, platen.value_or(usual), strip));

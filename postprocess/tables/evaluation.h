@@ -41,18 +41,25 @@ struct TestResult {
 /// Height [m] of the specimen at the start of shear.
 double initial_height(const TestResult& test);
 
-/// What the runs of one set gave together.
+/// What the runs of one kind, made with one set of parameters, gave together.
 struct SetResult {
   std::string set;  ///< as in targets.csv
   std::vector<TestResult> tests;
   std::optional<FailureLine>
       line;  ///< if two confining stresses at least give a slope from 0 up to 3
+
+  /// The set of parameters its runs were made with; empty if they do not say.
+  const std::string& parameters() const { return tests.front().run->parameters; }
 };
 
-/// Evaluates all runs, set by set. Without `platen`, plain tests use the mean of both platens and
-/// encased ones the bottom: the sleeve takes load, and the study read its base wall. The results
-/// refer to `runs`. The sleeve is checked against `strip` if there is one. Throws InputError,
-/// naming the run, where a history cannot be evaluated.
+/// True if a run of `sets` says which set of parameters it was made with.
+bool name_parameters(const std::vector<SetResult>& sets);
+
+/// Evaluates all runs, plain and encased ones and each set of parameters by itself. Without
+/// `platen`, plain tests use the mean of both platens and encased ones the bottom: the sleeve takes
+/// load, and the study read its base wall. The results refer to `runs`. The sleeve is checked
+/// against `strip` if there is one. Throws InputError, naming the run, where a history cannot be
+/// evaluated.
 std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen,
                                 const std::optional<StripLimit>& strip);
 

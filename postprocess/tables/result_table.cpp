@@ -90,6 +90,14 @@ std::string listed(const std::vector<std::string>& words)
   return text;
 }
 
+/// What the tests of `set` are called in a note.
+std::string tests_of(const SetResult& set)
+{
+  const std::string kind = set.tests.front().run->encased() ? "encased" : "plain";
+  return kind + " tests" +
+         (set.parameters().empty() ? "" : " with the parameters " + set.parameters());
+}
+
 /// The resolutions of the tests, for a heading; nothing if no deck has one.
 std::string resolutions(const SetResult& set)
 {
@@ -198,16 +206,15 @@ std::vector<std::string> result_notes(const SetResult& set)
   std::vector<std::string> notes;
   for (const TestResult& test : set.tests)
     for (const std::string& note : test_notes(test)) notes.push_back(note);
-  const std::string kind = set.tests.front().run->encased() ? "encased" : "plain";
   const std::vector<std::string> mixed = mixed_variables(set);
   if (set.line && !mixed.empty())
-    notes.push_back("The line of the " + kind +
-                    " tests, and so phi and c, mixes runs that differ in more than sigma3: " +
-                    listed(mixed) + ".");
+    notes.push_back(
+        "The line of the " + tests_of(set) +
+        ", and so phi and c, mixes runs that differ in more than sigma3: " + listed(mixed) + ".");
   if (!set.line)
     notes.push_back(
-        "No friction angle and cohesion of the " + kind +
-        " tests: they take peaks at two confining stresses at least, on a line that rises by less "
+        "No friction angle and cohesion of the " + tests_of(set) +
+        ": they take peaks at two confining stresses at least, on a line that rises by less "
         "than 3.");
   return notes;
 }
@@ -216,11 +223,14 @@ std::string result_csv(const std::vector<SetResult>& sets, const Targets& target
 {
   Rows rows{{"set", "test", "quantity", "unit", "found", "laboratory",
              "difference to laboratory [%]", "model", "difference to model [%]"}};
+  const bool named = name_parameters(sets);
+  if (named) rows.front().insert(rows.front().begin() + 1, "parameters");
   for (const SetResult& set : sets)
     for (const ResultRow& row : result_rows(set, targets)) {
       std::vector<std::string> words = as_words(row);
       for (std::string& word : words)
         if (word == "-" && &word != &words[2]) word.clear();
+      if (named) words.insert(words.begin(), set.parameters());
       words.insert(words.begin(), set.set);
       rows.push_back(words);
     }
@@ -234,6 +244,7 @@ std::string result_text(const std::vector<SetResult>& sets, const Targets& targe
     const TestResult& first = set.tests.front();
     text += (text.empty() ? "" : "\n");
     text += std::string(first.run->encased() ? "Encased" : "Plain") + " triaxial tests";
+    if (!set.parameters().empty()) text += ", parameters " + set.parameters();
     text += resolutions(set);
     text += ", q from the " + platen_name(first.platen) + "; laboratory and model: the study's\n\n";
     Rows rows{result_headings};

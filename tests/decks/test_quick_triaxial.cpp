@@ -21,8 +21,8 @@ class QuickTriaxialTest : public ::testing::Test {
     const std::filesystem::path inputs = std::filesystem::path(ENCASE_SOURCE) / "input_scripts";
     const Outcome outcome =
         run_deck(read_text(inputs / "triaxial_plain/triaxial_plain.lmp"), 1, folder_->path(),
-                 {"-var", "common", inputs / "common", "-var", "resolution", "quick", "-var",
-                  "height", "0.1", "-var", "strain_end", "0.08"});
+                 {"-var", "common", inputs / "common", "-var", "parameters", "study", "-var",
+                  "resolution", "quick", "-var", "height", "0.1", "-var", "strain_end", "0.08"});
     failure_ = outcome.exit_code == 0 ? "" : outcome.output;
   }
   static void TearDownTestSuite() { delete folder_; }

@@ -28,7 +28,8 @@ TEST_P(Deck, RefusesAVariableOutOfRange)
   const TemporaryFolder folder;
   const Outcome outcome =
       run_deck(read_text(inputs + bad.deck + "/" + bad.deck + ".lmp"), 1, folder.path(),
-               {"-var", "common", inputs + "common", "-var", bad.name, bad.value});
+               {"-var", "common", inputs + "common", "-var", "parameters", "study", "-var",
+                bad.name, bad.value});
   EXPECT_NE(outcome.exit_code, 0);
   EXPECT_TRUE(outcome.says(bad.sentence)) << bad.sentence << "\nnot in\n" << outcome.output;
   EXPECT_FALSE(outcome.says("Setting up run")) << "refused after the packing began";
@@ -42,6 +43,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "'porosity' must be between 0.1 and 0.61, found 0.65"},
         BadVariable{plain, "stress_packing", "-5e3",
                     "'stress_packing' must be zero or larger, found -5000"},
+        BadVariable{plain, "gravity", "-9.8", "'gravity' must be zero or larger, found -9.8"},
         BadVariable{plain, "preload", "-1", "'preload' must be zero or larger, found -1"},
         BadVariable{plain, "relative_density", "80",
                     "'relative_density' must be between -1 and 1, found 80"},

@@ -58,18 +58,28 @@ TEST(RunCommand, ShowsHelpAndCasesFromAnywhere)
 
 TEST(RunCommand, ListsEveryVariableWithDefaultUnitAndMeaning)
 {
-  const std::regex variable(R"(\w+ +(as )?[^ $]+ +\[[^\]]+\] +[A-Za-z0-9].*)");
+  const std::regex variable(R"(\w+ +((as )?[^ $\[]+ +){1,2}\[[^\]]+\] +[A-Za-z0-9].*)");
   bool among_variables = false;
   int variables = 0;
   for (const std::string& line : run_command({"--list"}).lines()) {
     if (line.rfind("Variables of", 0) == 0)
       among_variables = true;
+    else if (line.rfind("variable ", 0) == 0)
+      EXPECT_TRUE(std::regex_match(line, std::regex("variable +study +laboratory .*"))) << line;
     else if (among_variables && !line.empty()) {
       ++variables;
       EXPECT_TRUE(std::regex_match(line, variable)) << line;
     }
   }
   EXPECT_GT(variables, 50);
+}
+
+TEST(RunCommand, ListsWhatBothSetsOfParametersHave)
+{
+  const std::string list = run_command({"--list"}).output;
+  for (const char* row : {R"(modulus +7e6 +[^ \[]+ +\[Pa\] )", R"(after_strength +warn +[a-z]+ )",
+                          R"(sigma3 +50e3 +\[Pa\] )"})
+    EXPECT_TRUE(std::regex_search(list, std::regex(row))) << row << " not in\n" << list;
 }
 
 TEST(RunCommand, ListsFilesToReadByTheirPathInTheProject)
@@ -107,6 +117,27 @@ TEST(RunCommand, RefusesAnUnknownResolution)
 {
   expect_refused({"--resolution", "coarse"},
                  "unknown resolution 'coarse', expected one of: quick standard paper");
+}
+
+TEST(RunCommand, RefusesASetOfParametersThatIsNotThere)
+{
+  expect_refused({"--set", "parameters=labratory"},
+                 "unknown parameters 'labratory', expected one of: study laboratory");
+}
+
+// A case does not stop half way where a user has written the set of the grains alone.
+TEST(RunCommand, RefusesASetOfParametersWithoutItsSleeve)
+{
+  const TemporaryFolder folder;
+  fs::copy(source / "input_scripts/common", folder.path() / "common");
+  fs::copy(source / "input_scripts/triaxial_encased/triaxial_encased.lmp", folder.path());
+  std::ofstream(folder.path() / "common/parameters_mine.lmp")
+      << "variable mu index 0.7 # [-] friction\ninclude ${common}/parameters_study.lmp\n";
+  expect_refused(
+      {"--deck", folder.path() / "triaxial_encased.lmp", "--set", "parameters=mine"},
+      "deck triaxial_encased must find each file of parameters 'mine' in '" +
+          (folder.path() / "common").string() +
+          "', found no 'sleeve_mine.lmp', write it with the variables of 'sleeve_study.lmp'");
 }
 
 TEST(RunCommand, RefusesAVariableTheDeckDoesNotHave)
@@ -267,6 +298,29 @@ TEST(RunCommand, FailsACaseThatUsesAnotherValueThanItWasAskedFor)
       outcome.says("variable 'speed' of case 'trial' must be used as it was asked for, "
                    "found 4 in the run and 5 asked for"))
       << outcome.output;
+}
+
+// A file in common/ makes a set: its name is enough. What it leaves to the study is the study's.
+TEST(RunCommand, TakesASetOfTheUsersByItsName)
+{
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "common");
+  std::ofstream(folder.path() / "common/parameters_study.lmp")
+      << "variable speed index 3  # [m/s] of the trial\nvariable mass index 2  # [kg] of it\n";
+  std::ofstream(folder.path() / "common/parameters_mine.lmp")
+      << "variable mass index 5  # [kg] measured\ninclude ${common}/parameters_study.lmp\n";
+  std::ofstream(folder.path() / "trial.lmp") << "variable parameters index study  # [-] set\n"
+                                                "include ${common}/parameters_${parameters}.lmp\n"
+                                                "record_variables file variables.csv\n";
+  const Outcome outcome =
+      run_command({"--deck", folder.path() / "trial.lmp", "--out", folder.path() / "out", "--set",
+                   "parameters=mine", "--set", "speed=4", "--no-pictures"});
+  EXPECT_TRUE(outcome.says("Case trial finished in ")) << outcome.output;
+  const std::string record = read_text(folder.path() / "out/trial/case.json");
+  EXPECT_NE(record.find("\"variables\": {\n  \"parameters\": \"mine\",\n  \"mass\": 5,\n  "
+                        "\"speed\": 4\n"),
+            std::string::npos)
+      << record;
 }
 
 TEST(RunCommand, RecordsWhatTheRunUsed)

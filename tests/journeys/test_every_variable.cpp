@@ -18,6 +18,7 @@ namespace {
 
 /// Second values, each unlike its default; small and short.
 const Settings of_both{{"resolution", "small"},
+                       {"parameters", "laboratory"},
                        {"sigma3", "51e3"},
                        {"porosity", "0.41"},
                        {"modulus", "7.1e6"},
@@ -29,6 +30,7 @@ const Settings of_both{{"resolution", "small"},
                        {"alpha", "0.69"},
                        {"rate", "1.31e-6"},
                        {"moving", "2"},
+                       {"gravity", "9.7"},
                        {"free_speed", "1.3e-6"},
                        {"strain_end", "0.003"},
                        {"limit", "3e-3"},
@@ -193,6 +195,17 @@ TEST_F(EveryVariable, OfTheEncasedDeckReachesTheRun)
   expect_all_set("encased", all);
   run("encased", joined_settings(short_run, of_side), "side");
   expect_used("encased", of_side);
+}
+
+// The runner compares what it has read of the set with what the host has used; --set comes before
+// the set. Few grains pack looser than the set asks for.
+TEST_F(EveryVariable, OfTheSetOfTheLaboratoryReachesTheRun)
+{
+  const Settings set{{"parameters", "laboratory"}, {"porosity", "0.49"}, {"mu_platen", "0.7"}};
+  for (const std::string id : {"plain", "encased"}) {
+    run(id, joined_settings(short_run, set));
+    expect_used(id, set);
+  }
 }
 
 // This test must see a variable that a deck offers and no command takes.

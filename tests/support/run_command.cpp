@@ -27,7 +27,8 @@ void prepare_small_cases(const fs::path& folder)
     const std::string name = "triaxial_" + kind;
     fs::copy(inputs / name / (name + ".lmp"), folder / (name + ".lmp"));
     rows << kind << ',' << name
-         << ".lmp,0,resolution=small;radius=0.03;height=0.06;porosity=0.40;strain_end=0.02;"
+         << ".lmp,0,resolution=small;parameters=study;radius=0.03;height=0.06;porosity=0.40;strain_"
+            "end=0.02;"
             "limit=1e-4;restart_every=700\n";
   }
 }

@@ -12,8 +12,8 @@
 namespace encased_column::testing {
 
 /// A folder with both decks and small.csv, whose cases `plain` and `encased` have about a hundred
-/// grains to 2 % strain: a second or two of work each. Restart files come every 700 steps: not
-/// where the host sorts grains by itself.
+/// grains and the parameters of the study, to 2 % strain: a second or two of work each. Restart
+/// files come every 700 steps: not where the host sorts grains by itself.
 void prepare_small_cases(const std::filesystem::path& folder);
 
 /// `encase run` on those cases.

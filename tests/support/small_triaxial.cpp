@@ -19,7 +19,10 @@ std::string plain_triaxial_deck()
 
 std::string encased_triaxial_deck()
 {
-  return read_text(inputs / "triaxial_encased/triaxial_encased.lmp");
+  std::string deck = read_text(inputs / "triaxial_encased/triaxial_encased.lmp");
+  const std::string include = "include ${common}/encased_test.lmp";
+  return deck.replace(deck.find(include), include.size(),
+                      read_text(inputs / "common/encased_test.lmp"));
 }
 
 Outcome run_small_triaxial(const fs::path& folder, int ranks)
@@ -35,8 +38,9 @@ std::vector<std::string> prepare_small_triaxial(const fs::path& folder)
                                                            "variable looser equal 0\n";
   std::vector<std::string> arguments;
   const std::vector<std::pair<std::string, std::string>> variables{
-      {"common", "common"}, {"resolution", "small"}, {"radius", "0.03"}, {"height", "0.06"},
-      {"porosity", "0.40"}, {"strain_end", "0.02"},  {"limit", "1e-4"},  {"sigma3", "50e3"}};
+      {"common", "common"},   {"resolution", "small"}, {"parameters", "study"},
+      {"radius", "0.03"},     {"height", "0.06"},      {"porosity", "0.40"},
+      {"strain_end", "0.02"}, {"limit", "1e-4"},       {"sigma3", "50e3"}};
   for (const auto& [name, value] : variables)
     arguments.insert(arguments.end(), {"-var", name, value});
   return arguments;

@@ -7,7 +7,8 @@
 namespace encased_column::testing {
 
 /// Runs the whole deck of the plain triaxial test at 50 kPa with about a hundred grains, of 10 mm
-/// and more, in a specimen of 60 mm x 60 mm, to 2 % strain, in `folder`: a second of work.
+/// and more, in a specimen of 60 mm x 60 mm, to 2 % strain, in `folder`, with the parameters of the
+/// study: a second of work.
 Outcome run_small_triaxial(const std::filesystem::path& folder, int ranks);
 /// The same with `deck` in place of plain_triaxial_deck().
 Outcome run_small_triaxial(const std::filesystem::path& folder, int ranks, const std::string& deck);

@@ -1,8 +1,11 @@
 #include "runner/case_variables.h"
 
 #include "core/input_error.h"
+#include "support/child_program.h"
 
 #include <gtest/gtest.h>
+
+#include <fstream>
 
 using namespace encased_column;
 
@@ -36,21 +39,45 @@ std::string sentence_of(const Settings& asked, const Settings& used)
 // The host keeps the first value of a name: what comes last here must be the only one it is given.
 TEST(CaseVariables, ReachTheHostOnceAndTheLastOneCounts)
 {
-  const Settings given = given_variables(deck, {{"sigma3", "100e3"}, {"resolution", "quick"}},
-                                         "paper", {{"sigma3", "5e3"}, {"sigma3", "6e3"}});
+  const Settings given = given_variables({{"sigma3", "100e3"}, {"resolution", "quick"}}, "paper",
+                                         {{"sigma3", "5e3"}, {"sigma3", "6e3"}});
   EXPECT_EQ(given, (Settings{{"sigma3", "6e3"}, {"resolution", "paper"}}));
 }
 
 TEST(CaseVariables, AreRefusedWhereTheDeckHasNone)
 {
-  EXPECT_THROW(given_variables(deck, {}, "", {{"sigma_3", "1"}}), InputError);
-  EXPECT_THROW(given_variables(deck, {{"sigma_3", "1"}}, "", {}), InputError);
+  EXPECT_NO_THROW(check_names(deck, {{"sigma3", "1"}, {"resolution", "paper"}}));
+  EXPECT_THROW(check_names(deck, {{"sigma3", "1"}, {"sigma_3", "1"}}), InputError);
 }
 
 TEST(CaseVariables, TakeTheirValueFromTheOneTheyNameUnlessTheyAreGiven)
 {
   EXPECT_EQ(asked_variables(deck, {{"modulus", "9e6"}}).back().second, "9e6");
   EXPECT_EQ(asked_variables(deck, {{"modulus", "9e6"}, {"modulus_side", "3"}}).back().second, "3");
+}
+
+// The host is told where common/ lies, seen from the run folder.
+TEST(CaseVariables, OfAFileInCommonHaveItsPathInTheRunFolder)
+{
+  const Deck strip = deck_with({{"strip", "${common}/strip.csv", "[-]", ""}});
+  EXPECT_EQ(asked_variables(strip, {}).back().second, "input/common/strip.csv");
+}
+
+// A case runs elsewhere than the command was given.
+TEST(CaseVariables, FindATableInCommonOrByItsPath)
+{
+  const testing::TemporaryFolder folder;
+  Deck deck = deck_with({{"gradation", "${common}/a.csv", "[-]", ""}});
+  deck.common = folder.path();
+  std::ofstream(folder.path() / "b.csv") << "x\n";
+  const auto found = [&](const std::string& value) {
+    return with_found_tables(deck, {{"gradation", value}}).front().second;
+  };
+  EXPECT_EQ(found("b.csv"), "input/common/b.csv");
+  const std::string path = folder.path() / "b.csv";
+  EXPECT_EQ(found(path), path);
+  EXPECT_EQ(found(std::filesystem::relative(path).string()), path);
+  EXPECT_THROW(found("c.csv"), InputError);
 }
 
 TEST(CaseVariables, AreTheSameWhereTheyAreTheSameNumber)

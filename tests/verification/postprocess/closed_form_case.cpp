@@ -15,7 +15,8 @@ void describe_case(const fs::path& folder, const std::string& kind, const std::s
       << "}}\n";
 }
 
-void write_case(const fs::path& folder, const std::string& kind, bool core, double factor)
+void write_case(const fs::path& folder, const std::string& kind, bool core, double factor,
+                double strength)
 {
   fs::create_directories(folder);
   describe_case(folder, kind, R"("sigma3": 50000, "radius": 0.05, "resolution": "quick")");
@@ -32,7 +33,7 @@ void write_case(const fs::path& folder, const std::string& kind, bool core, doub
              "loss_damping [J],energy_elastic [J],energy_kinetic [J],"
           << (core ? "core_axial_stress [Pa],core_radial_stress [Pa]\n" : "-,-\n");
   for (int i = 0; i <= 220; ++i) {
-    const double strain = 0.001 * i, share = i == 0 ? 0.0 : factor;
+    const double strain = 0.001 * i, share = i == 0 ? 0.0 : factor * strength;
     const double top = share * (encased ? q_top : q_plain);
     const double bottom = share * (encased ? q_bottom : q_plain);
     const double side = factor * sigma3;

@@ -86,13 +86,20 @@ class CheckVerdicts : public ::testing::Test {
     words.insert(words.end(), options.begin(), options.end());
     return run_program(words, series_.path());
   }
-  /// The row of checks.csv about grains outside.
-  std::string row()
+  /// The row of checks.csv about grains outside, or about something else.
+  std::string row(const std::string& check = "outside")
   {
     std::istringstream text(read_text(series_.path() / "checks.csv"));
     for (std::string line; std::getline(text, line);)
-      if (line.find("outside") != std::string::npos) return line;
+      if (line.find(check) != std::string::npos) return line;
     return {};
+  }
+  /// What it has found there, the word but two.
+  double found(const std::string& check)
+  {
+    const std::string line = row(check);
+    const std::size_t verdict = line.rfind(','), allowed = line.rfind(',', verdict - 1);
+    return std::stod(line.substr(line.rfind(',', allowed - 1) + 1));
   }
   static bool ends_with(const std::string& text, const std::string& end)
   {
@@ -152,6 +159,20 @@ TEST_F(CheckVerdicts, FindTheGrainsBeyondTheSleeveWhereItIs)
   write_grains_at(run, {{0.0, 0.071, 0.1}, {0.06, 0.0, 0.02}, {0.0, 0.09, 0.181}, {0.0, 0.0, 0.1}});
   make_tables();
   EXPECT_TRUE(ends_with(row(), ",3,0,FAIL")) << row();
+}
+
+// Both platens of these tests bear 196 kPa, 188.7 on average over the first 1 % of strain, which
+// begins at 50 kPa. Grains weigh what the run's own gravity makes them weigh: with 9.8 m/s^2
+// 1738 (1 - 0.34) g 0.199 m = 2237 Pa.
+TEST_F(CheckVerdicts, TakeTheWeightOffThatTheRunHad)
+{
+  const std::string weight = "equal but for the weight";
+  make_run("plain", lower_moves);
+  make_tables();
+  EXPECT_NEAR(found(weight), 2237.0 / (188.7e3 + 1118.0), 1e-4) << row(weight);
+  make_run("plain", lower_moves + ", \"gravity\": 0");
+  make_tables();
+  EXPECT_EQ(found(weight), 0.0) << row(weight);
 }
 
 TEST_F(CheckVerdicts, LookAtThePlatensAloneWhereASleeveLeftNoFile)

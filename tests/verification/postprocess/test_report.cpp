@@ -15,7 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int variables_of_a_case = 4;
+constexpr int variables_of_a_case = 5;
 
 /// A run folder as ./input_scripts/run makes it.
 void make_case(const fs::path& folder, const std::string& kind)
@@ -28,11 +28,11 @@ void make_case(const fs::path& folder, const std::string& kind)
   fs::create_directories(folder / "input");
   fs::copy_file(inputs / deck / (deck + ".lmp"), folder / "input" / (deck + ".lmp"));
   fs::copy(inputs / "common", folder / "input/common");
-  std::ofstream(folder / "case.json")
-      << "{\"id\": \"" << kind << "\", \"deck\": \"" << deck
-      << "\", \"title\": \"A <small> test at 7 kPa, " << kind
-      << "\", \"variables\": {\"resolution\": \"small\", \"sigma3\": 50000, "
-      << "\"modulus\": 7000000, \"radius\": 0.03}}\n";
+  std::ofstream(folder / "case.json") << "{\"id\": \"" << kind << "\", \"deck\": \"" << deck
+                                      << "\", \"title\": \"A <small> test at 7 kPa, " << kind
+                                      << "\", \"variables\": {\"resolution\": \"small\", "
+                                         "\"parameters\": \"study\", \"sigma3\": 50000, "
+                                      << "\"modulus\": 7000000, \"radius\": 0.03}}\n";
   std::ofstream(folder / "command.txt")
       << "/opt/liggghts-encase -in input/x.lmp -var common input/common -var sigma3 50e3\n";
   std::ofstream(folder / "finished") << "2026-01-01T00:00:00Z\nwall time 4000 s\n";
@@ -150,10 +150,10 @@ TEST_F(ReportTest, TellsAllThatTheTablesOfTheSeriesTell)
 {
   for (const std::string kind : {"plain", "encased"}) {
     const std::string name = kind + "/report.html";
-    const int results = lines("table.csv", kind + "_triaxial," + kind + ',');
+    const int results = lines("table.csv", kind + "_triaxial,study," + kind + ',');
     EXPECT_GT(results, 5);
     EXPECT_EQ(rows(name, "results"), results);
-    EXPECT_EQ(rows("report.html", "results_" + kind + "_triaxial"), results);
+    EXPECT_EQ(rows("report.html", "results_" + kind + "_triaxial_study"), results);
     EXPECT_EQ(rows(name, "checks"), lines("checks.csv", kind + ','));
     EXPECT_EQ(rows(name, "inputs"), variables_of_a_case);
     EXPECT_EQ(rows(name, "gradation"), 1);
@@ -163,6 +163,16 @@ TEST_F(ReportTest, TellsAllThatTheTablesOfTheSeriesTell)
   EXPECT_EQ(rows("report.html", "tests_table"), 2);
   EXPECT_EQ(rows("report.html", "checks_table"),
             lines("checks.csv", "plain,") + lines("checks.csv", "encased,"));
+}
+
+// Two sets lie beside the deck: the meaning is that of the one the run has used.
+TEST_F(ReportTest, TellsTheSourcesOfTheSetThatTheRunUsed)
+{
+  const std::string html = text("plain/report.html");
+  EXPECT_NE(html.find("contact modulus E* (Table 1, read as 7 MPa)"), std::string::npos);
+  EXPECT_EQ(html.find("found by hand"), std::string::npos);
+  EXPECT_NE(html.find("mean of both platens, parameters study</h4>"), std::string::npos)
+      << "charts name the set";
 }
 
 TEST_F(ReportTest, ShowsTheContactsWhereARunWroteThem)
@@ -186,7 +196,7 @@ TEST_F(ReportTest, NamesThePicturesBesideFiguresOfTheStudy)
 TEST_F(ReportTest, TellsUnitsWarningsAndHowToRepeatTheRun)
 {
   const std::string html = text("plain/report.html");
-  EXPECT_NE(html.find("A &lt;small&gt; test at 50 kPa, plain, resolution small"),
+  EXPECT_NE(html.find("A &lt;small&gt; test at 50 kPa, plain, parameters study, resolution small"),
             std::string::npos);
   EXPECT_NE(html.find(">7</td><td>MPa</td>"), std::string::npos);
   EXPECT_NE(html.find(">30</td><td>mm</td>"), std::string::npos);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "drawing/figure.h"
+#include "tables/evaluation.h"
+
+#include <functional>
+#include <vector>
+
+namespace encased_column {
+
+using FigureMaker = std::function<std::vector<Figure>(const std::vector<SetResult>&)>;
+
+/// What `make` draws of the tests of each set of parameters alone, panels of the same figure one
+/// below the other. The title of a panel names the set, unless the runs do not.
+std::vector<Figure> drawn_by_parameters(const std::vector<SetResult>& sets,
+                                        const FigureMaker& make);
+
+}  // namespace encased_column
