@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> whole_series{"--series", "all", "--jobs", "2", "--ranks", "1"};
+const std::vector<std::string> whole_series{"--series", "all", "--jobs", "2",
+                                            "--ranks",  "1",   "--set",  "strain_end=0.005"};
 
 bool has(const std::string& text, const std::string& words)
 {

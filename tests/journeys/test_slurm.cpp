@@ -56,8 +56,8 @@ class PathWith {
   std::string before_;
 };
 
-const std::vector<std::string> on_cluster{"--series", "all", "--slurm", "--slurm-option",
-                                          "time=10"};
+const std::vector<std::string> on_cluster{"--series", "all",   "--slurm",         "--slurm-option",
+                                          "time=10",  "--set", "strain_end=0.005"};
 
 }  // namespace
 
@@ -96,7 +96,9 @@ TEST(Slurm, SeriesThatIsKilledAndStoppedHasTheTableOfOneThatWasNot)
     EXPECT_NE(text_of(out / "slurm" / task).find(" goes on in stage "), std::string::npos)
         << text_of(out / "slurm" / task);
   const Outcome whole =
-      RunningCommand(folder.path(), "whole", {"--series", "all", "--ranks", "1"}).end();
+      RunningCommand(folder.path(), "whole",
+                     {"--series", "all", "--ranks", "1", "--set", "strain_end=0.005"})
+          .end();
   ASSERT_EQ(whole.exit_code, 0) << whole.output;
   for (const char* file : {"cases.txt", "table.txt", "checks.txt"})
     EXPECT_EQ(text_of(out / file), text_of(folder.path() / "whole" / file)) << file;

@@ -16,8 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The study's density, whatever the decks take by default.
-const std::vector<std::string> study_packing{"porosity=0.20", "relative_density=-1",
-                                             "stress_packing=0", "mu_packing=0"};
+const std::vector<std::string> study_packing{"parameters=study"};
 
 CaseSize size_of_ours(const std::string& id, const std::string& resolution,
                       std::vector<std::string> set = study_packing)
@@ -61,7 +60,8 @@ TEST(CaseSize, HasTheGrainsThatArePacked)
 TEST(CaseSize, FollowsTheRelativeDensity)
 {
   const double dense = size_of_ours("plain_050", "quick").grains;
-  const std::vector<std::string> half{"relative_density=0.5", "mu=0.7", "mu_r=0.5"};
+  const std::vector<std::string> half{"parameters=study", "relative_density=0.5", "mu=0.7",
+                                      "mu_r=0.5"};
   EXPECT_NEAR(size_of_ours("plain_050", "quick", half).grains / dense, (1.0 - 0.4497) / 0.71, 1e-3);
 }
 
@@ -102,7 +102,7 @@ TEST(DeckText, FindsWordsThroughVariablesIncludesAndContinuedLines)
   std::ofstream(folder.path() / "own.lmp") << "variable kind index coarse\n"
                                               "variable wide index 0.2  # [m]\n"
                                               "include ${common}/${kind}.lmp\n"
-                                              "variable clear equal 2*(${wide}-${gap})\n"
+                                              "variable clear equal 2*(v_wide-${gap})\n"
                                               "if \"${wide} > 0\" then &\n"
                                               "  \"place radius ${clear} &\n"
                                               "  kind ${kind}\"\n"

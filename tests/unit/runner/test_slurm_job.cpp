@@ -35,7 +35,8 @@ TEST(SlurmJob, HasATaskForEachCaseAndTheOptionsOfTheSite)
   for (const char* line :
        {"#SBATCH --array=0-1", "#SBATCH --ntasks=4", "#SBATCH --requeue",
         "#SBATCH --signal=B:USR1@120", "#SBATCH --partition=long", "#SBATCH --time=02:00:00",
-        "#SBATCH --chdir='/home/user/my runs/densities'", "cases=(d_90 d_40)",
+        "#SBATCH --output='/home/user/my runs/densities/slurm/case_%a.txt'", "cases=(d_90 d_40)",
+        "folder='/home/user/my runs/densities'/$case",
         "/opt/encase run --out '/home/user/my runs/densities' --resume --case \"$case\" &"})
     EXPECT_TRUE(has_line(script, line)) << line << "\n" << script;
   EXPECT_EQ(script.find("ENCASE_SOURCE"), std::string::npos);
