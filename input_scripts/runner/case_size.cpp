@@ -14,7 +14,7 @@ namespace {
 double consolidation_steps(const CaseShape& shape)
 {
   const double decades = std::max(std::log10(0.1 / shape.limit), 0.5);
-  if (shape.friction_packing) return 8'000.0 + 6'000.0 * decades;
+  if (shape.friction_packing) return 8'000.0 + 4'000.0 * decades;
   return shape.platens_follow ? 8'000.0 + 1'000.0 * decades : 500.0 * decades;
 }
 

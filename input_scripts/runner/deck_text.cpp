@@ -1,10 +1,13 @@
 #include "runner/deck_text.h"
 
 #include "core/input_error.h"
+#include "runner/case_variables.h"
 #include "runner/text_file.h"
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <regex>
 #include <sstream>
 
 namespace encased_column {
@@ -72,6 +75,13 @@ class Arithmetic {
   bool failed_ = false;
 };
 
+/// v_NAME of a formula as ${NAME}.
+std::string with_braces(const std::string& formula)
+{
+  static const std::regex variable(R"(\bv_(\w+))");
+  return std::regex_replace(formula, variable, "$${$1}");
+}
+
 std::string number_text(double x)
 {
   char text[40];
@@ -90,7 +100,11 @@ DeckText::DeckText(const Deck& deck, const Settings& asked) : deck_(deck)
 {
   values_["common"] = deck.common.string();
   values_["resume"] = "0";
-  for (const auto& [name, value] : asked) values_.emplace(name, value);
+  const std::string of_case = std::string(common_of_case) + "/";
+  for (const auto& [name, value] : asked)
+    values_.emplace(name, value.rfind(of_case, 0) == 0
+                              ? (deck.common / value.substr(of_case.size())).string()
+                              : value);
   read(deck.file, 0);
 }
 
@@ -117,7 +131,7 @@ void DeckText::take(const std::string& line, int depth)
   std::string command, name, style, value;
   words >> command >> name >> style >> value;
   if (command == "variable" && style == "index") values_.emplace(name, value);
-  if (command == "variable" && style == "equal") values_[name] = value;
+  if (command == "variable" && style == "equal") values_[name] = with_braces(value);
   if (command == "include" && depth < 10) include(name, depth);
   lines_.push_back(line);
 }

@@ -193,7 +193,7 @@ int run_command(const Places& places, const RunOptions& options)
   bool all_ran = true;
   if (options.is_series() || options.report_only) all_ran = tell_outcomes(plans, series);
   if (!failed.empty()) std::cerr << "Failed: " << joined(failed) << std::endl;
-  tell_results(series, options);
+  if (!options.no_report) tell_results(series, options);
   return failed.empty() && all_ran ? 0 : 1;
 }
 

@@ -19,8 +19,8 @@ std::string head(const SlurmJob& job, const std::string& name, const std::string
 {
   return "#SBATCH --job-name=" + in_shell(name) +
          "\n#SBATCH --nodes=1\n#SBATCH --ntasks=" + std::to_string(job.ranks) +
-         "\n#SBATCH --open-mode=append\n#SBATCH --chdir=" + in_shell(job.folder.string()) +
-         "\n#SBATCH --output=" + in_shell((job.folder / "slurm" / output).string()) + "\n";
+         "\n#SBATCH --open-mode=append\n#SBATCH --output=" +
+         in_shell((job.folder / "slurm" / output).string()) + "\n";
 }
 
 std::string options_of_site(const SlurmJob& job)
@@ -62,7 +62,7 @@ std::string sbatch_line(const std::string& option)
     throw InputError("--slurm-option takes a long option of sbatch, found '" +
                      option.substr(0, 60) + "', write for example '--slurm-option partition=long'");
   for (const char* own : {"array", "dependency", "nodes", "ntasks", "requeue", "no-requeue",
-                          "chdir", "output", "open-mode", "wrap"})
+                          "output", "open-mode", "wrap"})
     if (name == own)
       throw InputError("--slurm-option leaves out what --slurm itself gives, found '" + name +
                        "', leave it out (--ranks and --jobs say how many)");
@@ -77,22 +77,23 @@ std::string cases_script(const SlurmJob& job)
          "first.\n" +
          head(job, job.name, "case_%a.txt") + "#SBATCH --array=" + array +
          "\n#SBATCH --requeue\n#SBATCH --signal=B:USR1@120\n" + options_of_site(job) + "cases=(" +
-         all_in_shell(job.ids) + ")\ncase=${cases[SLURM_ARRAY_TASK_ID]}\n" + environment(job) +
-         all_in_shell(job.command) +
-         " --case \"$case\" &\n"
-         "run=$!\n"
+         all_in_shell(job.ids) +
+         ")\ncase=${cases[SLURM_ARRAY_TASK_ID]}\nfolder=" + in_shell(job.folder.string()) +
+         "/$case\n" + environment(job) +
          "# Before the time of the job ends the case is asked for a restart file, and then goes on "
          "in\n"
          "# another job. SIGTERM reaches it from Slurm itself.\n"
-         "trap 'kill -USR1 $run' USR1\n"
-         "trap : TERM\n"
-         "wait \"$run\"\n"
+         "trap '[[ -z $! ]] || kill -USR1 $!' USR1\n"
+         "trap : TERM\n" +
+         all_in_shell(job.command) +
+         " --case \"$case\" &\n"
+         "wait $!\n"
          "code=$?\n"
-         "while kill -0 \"$run\" 2>/dev/null; do\n"
-         "  wait \"$run\"\n"
+         "while kill -0 $! 2>/dev/null; do\n"
+         "  wait $!\n"
          "  code=$?\n"
          "done\n"
-         "if ((code == 138)) && compgen -G \"$case/restart_*\" >/dev/null; then\n"
+         "if ((code == 138)) && ls \"$folder\"/restart_* >/dev/null 2>&1; then\n"
          "  exec scontrol requeue \"${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID\"\n"
          "fi\n"
          "exit \"$code\"\n";

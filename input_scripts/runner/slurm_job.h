@@ -26,7 +26,8 @@ std::string in_shell(const std::string& word);
 /// InputError for what is none and for those the jobs need for themselves.
 std::string sbatch_line(const std::string& option);
 
-/// The script of a job array with a task for each case. A task goes on from its case's restart
+/// The script of a job array with a task for each case, which runs where the user was: paths of
+/// variables may be relative. A task goes on from its case's restart
 /// file; asked to stop before its time ends (SIGUSR1) it writes one and puts itself in the queue
 /// again.
 std::string cases_script(const SlurmJob& job);

@@ -1,0 +1,129 @@
+// What a case costs is known before it runs: beside the numbers that runs of the decks printed.
+#include "runner/case_shape.h"
+
+#include "runner/case_list.h"
+#include "runner/deck_text.h"
+#include "support/child_program.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace encased_column;
+using encased_column::testing::TemporaryFolder;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The study's density, whatever the decks take by default.
+const std::vector<std::string> study_packing{"parameters=study"};
+
+CaseSize size_of_ours(const std::string& id, const std::string& resolution,
+                      std::vector<std::string> set = study_packing)
+{
+  Places places;
+  places.inputs = fs::path(ENCASE_SOURCE) / "input_scripts";
+  RunOptions options;
+  options.cases = {id};
+  options.resolution = resolution;
+  options.set = std::move(set);
+  DeckCatalogue decks(places.inputs);
+  return expected_size(chosen_cases(read_catalogue(places, options), decks, options).front())
+      .value();
+}
+
+CaseShape shape_with_steps(double limit, double strain_end)
+{
+  CaseShape shape;
+  shape.gradation = {{0.005, 0.010, 100.0}};
+  shape.radius = 0.05;
+  shape.height = 0.2;
+  shape.porosity = 0.4;
+  shape.limit = limit;
+  shape.strain_end = strain_end;
+  shape.rate = 1e-6;
+  return shape;
+}
+
+}  // namespace
+
+// create_packing printed 3 993, 9 054 and 54 412 grains; it rounds each class.
+TEST(CaseSize, HasTheGrainsThatArePacked)
+{
+  EXPECT_NEAR(size_of_ours("plain_050", "quick").grains, 3993.0, 2.0);
+  EXPECT_NEAR(size_of_ours("plain_050", "standard").grains, 9054.0, 2.0);
+  EXPECT_NEAR(size_of_ours("encased_050", "paper").grains, 54412.0, 2.0);
+}
+
+// Void ratios 0.5049 / 0.4951 and 0.3806 / 0.6194 of packing_limits.csv: in the middle porosity
+// 0.4497, which the page of the decks has; solids go with 1 - n.
+TEST(CaseSize, FollowsTheRelativeDensity)
+{
+  const double dense = size_of_ours("plain_050", "quick").grains;
+  const std::vector<std::string> half{"parameters=study", "relative_density=0.5", "mu=0.7",
+                                      "mu_r=0.5"};
+  EXPECT_NEAR(size_of_ours("plain_050", "quick", half).grains / dense, (1.0 - 0.4497) / 0.71, 1e-3);
+}
+
+// 0.05 x 0.2 / 1e-6 m are 10 000 steps more than none.
+TEST(CaseSize, HasTheStepsOfShear)
+{
+  EXPECT_NEAR(case_size(shape_with_steps(1e-5, 0.06)).steps() -
+                  case_size(shape_with_steps(1e-5, 0.01)).steps(),
+              10'000.0, 1e-6);
+  EXPECT_GT(case_size(shape_with_steps(1e-5, 0.01)).steps(),
+            case_size(shape_with_steps(1e-3, 0.01)).steps());
+}
+
+// Its 5 796 facets, as the page of the benchmarks has them.
+TEST(CaseSize, CountsTheSleeve)
+{
+  const CaseSize plain = size_of_ours("plain_050", "quick");
+  const CaseSize encased = size_of_ours("encased_050", "quick");
+  EXPECT_NEAR((encased.work - encased.grains * encased.steps()) /
+                  (2.0 * encased.steps_after + 0.3 * encased.steps_before),
+              5796.0, 1.0);
+  EXPECT_NEAR(plain.work, plain.grains * plain.steps(), 1e-6 * plain.work);
+  EXPECT_GT(encased.bytes, plain.bytes);
+}
+
+TEST(CaseSize, IsUnknownWhereTheDeckPacksNothing)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "own.lmp") << "variable rate index 3\n";
+  const Deck deck = read_deck("own", folder.path() / "own.lmp", folder.path());
+  EXPECT_FALSE(expected_size({{}, &deck, {}, {{"rate", "3"}}}));
+}
+
+TEST(DeckText, FindsWordsThroughVariablesIncludesAndContinuedLines)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "fine.lmp") << "variable gap equal 2e-3\n";
+  std::ofstream(folder.path() / "own.lmp") << "variable kind index coarse\n"
+                                              "variable wide index 0.2  # [m]\n"
+                                              "include ${common}/${kind}.lmp\n"
+                                              "variable clear equal 2*(v_wide-${gap})\n"
+                                              "if \"${wide} > 0\" then &\n"
+                                              "  \"place radius ${clear} &\n"
+                                              "  kind ${kind}\"\n"
+                                              "place height ${unknown}\n";
+  const Deck deck = read_deck("own", folder.path() / "own.lmp", folder.path());
+  const DeckText text(deck, {{"kind", "fine"}, {"wide", "0.1"}});
+  EXPECT_DOUBLE_EQ(text.number("clear").value(), 0.196);
+  const std::vector<std::string> words = text.words("place", "kind");
+  ASSERT_EQ(words.size(), 4u);
+  EXPECT_EQ(words[3], "fine");
+  EXPECT_DOUBLE_EQ(arithmetic_value(words[1]).value(), 0.196);
+  EXPECT_EQ(text.words("place", "height").size(), 2u);
+  EXPECT_FALSE(text.number("unknown"));
+  EXPECT_TRUE(text.words("place", "depth").empty());
+}
+
+TEST(DeckText, ReckonsAsDecksDo)
+{
+  EXPECT_DOUBLE_EQ(arithmetic_value("1+2*3").value(), 7.0);
+  EXPECT_DOUBLE_EQ(arithmetic_value("-(1-3)/4").value(), 0.5);
+  EXPECT_DOUBLE_EQ(arithmetic_value("1.2e-3").value(), 1.2e-3);
+  for (const char* bad : {"", "a", "1+", "(1", "1==2", "1/0", "1 2", "nan", "inf", "0x"})
+    EXPECT_FALSE(arithmetic_value(bad)) << bad;
+}
