@@ -115,7 +115,7 @@ TEST_F(ScaledGrains, KeepTheirVelocityWhereTheyGetLighterAndBookWhatTheyLose)
 {
   masses.inertial_masses()[0] = 4.0;
   const double before = energy();
-  masses.set_masses();  // nothing touches the grain
+  for (int n = 0; n < 70; ++n) masses.set_masses();  // nothing touches the grain; 4 x 0.98^69 < 1
   EXPECT_EQ(masses.inertial_mass(0), 1.0);
   EXPECT_EQ(as_vec3(velocity), Vec3(1.0, -2.0, 3.0));
   EXPECT_EQ(as_vec3(spin), Vec3(0.5, 4.0, -1.0));
@@ -198,7 +198,7 @@ TEST_F(ScaledGrains, AreAsHeavyAsTheirContactsAsk)
   EXPECT_EQ(found.largest_factor, 50.0);
   EXPECT_DOUBLE_EQ(found.stable_step, 1.0);
   masses.clear_contacts();
-  masses.set_masses();  // one contact with something flat: pi r E*
+  for (int n = 0; n < 200; ++n) masses.set_masses();  // one contact with something flat: pi r E*
   EXPECT_DOUBLE_EQ(masses.inertial_mass(0), 2.0 * std::acos(-1.0));
 }
 

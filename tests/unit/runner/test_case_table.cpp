@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const Deck empty_deck{"trial", "", "", {}, false, false};
+const Deck empty_deck{"trial", "", "", {}, {}, false, false};
 
 CaseOutcome outcome_in(const fs::path& series)
 {

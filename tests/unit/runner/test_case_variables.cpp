@@ -66,7 +66,7 @@ TEST(CaseVariables, OfAFileInCommonHaveItsPathInTheRunFolder)
 // A case runs elsewhere than the command was given.
 TEST(CaseVariables, FindATableInCommonOrByItsPath)
 {
-  const testing::TemporaryFolder folder;
+  const encased_column::testing::TemporaryFolder folder;
   Deck deck = deck_with({{"gradation", "${common}/a.csv", "[-]", ""}});
   deck.common = folder.path();
   std::ofstream(folder.path() / "b.csv") << "x\n";
