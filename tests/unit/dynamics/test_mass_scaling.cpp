@@ -67,8 +67,8 @@ TEST(ChangeInertia, OfABodyThatGetsLighterKeepsItsVelocity)
 }
 
 // A contact of k = 0.9 that opens for one step may close again long before masses are found once
-// more. Central differences are stable while k dt^2 / m stays below 4 (Courant, Friedrichs and Lewy):
-// at once back to 0.1 kg it would be 9.
+// more. Central differences are stable while k dt^2 / m stays below 4 (Courant, Friedrichs and
+// Lewy): at once back to 0.1 kg it would be 9.
 TEST_F(ScaledGrains, StayHeavyEnoughForAContactThatClosesAgain)
 {
   const double stiffness = 0.9;
