@@ -17,34 +17,39 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Second values, each unlike its default; small and short.
-const Settings of_both{{"resolution", "small"},
-                       {"parameters", "laboratory"},
-                       {"sigma3", "51e3"},
-                       {"porosity", "0.41"},
-                       {"modulus", "7.1e6"},
-                       {"kappa", "3.4"},
-                       {"mu", "0.79"},
-                       {"mu_r", "0.011"},
-                       {"mu_packing", "0.3"},
-                       {"mu_platen", "0.71"},
-                       {"alpha", "0.69"},
-                       {"rate", "1.31e-6"},
-                       {"moving", "2"},
-                       {"gravity", "9.7"},
-                       {"free_speed", "1.3e-6"},
-                       {"strain_end", "0.003"},
-                       {"limit", "3e-3"},
-                       {"floating", "1"},
-                       {"seed", "7"},
-                       {"frames", "3"},
-                       {"chains", "4.7"},
-                       {"restart_every", "713"},
-                       {"radius", "0.031"},
-                       {"height", "0.061"},
-                       {"density", "1741"},
-                       {"stress_packing", "4900"},
-                       {"relative_density", "0.31"},
-                       {"preload", "60e3"}};
+const Settings of_both{
+    {"resolution", "small"},
+    {"parameters", "laboratory"},
+    {"sigma3", "51e3"},
+    {"porosity", "0.41"},
+    {"modulus", "7.1e6"},
+    {"kappa", "3.4"},
+    {"mu", "0.79"},
+    {"mu_r", "0.011"},
+    {"mu_packing", "0.3"},
+    {"mu_platen", "0.71"},
+    {"alpha", "0.69"},
+    {"alpha_packing", "0.68"},
+    {"looser_quick", "0.08"},
+    {"looser_standard", "0.04"},
+    {"gradation", ENCASE_SOURCE "/input_scripts/common/gradation_cinder_gravel.csv"},
+    {"rate", "1.31e-6"},
+    {"moving", "2"},
+    {"gravity", "9.7"},
+    {"free_speed", "1.3e-6"},
+    {"strain_end", "0.003"},
+    {"limit", "3e-3"},
+    {"floating", "1"},
+    {"seed", "7"},
+    {"frames", "3"},
+    {"chains", "4.7"},
+    {"restart_every", "713"},
+    {"radius", "0.031"},
+    {"height", "0.061"},
+    {"density", "1741"},
+    {"stress_packing", "4900"},
+    {"relative_density", "0.31"},
+    {"preload", "60e3"}};
 const Settings of_plain{{"mu_cylinder", "0.02"}};
 const Settings of_encased{{"mu_sc", "0.77"},
                           {"modulus_sc", "6.9e7"},
@@ -66,6 +71,7 @@ const Settings of_encased{{"mu_sc", "0.77"},
                           {"seam", "0.9"},
                           {"seam_angle", "11"},
                           {"when_torn", "go_on"},
+                          {"spheres", "2"},
                           {"axial_servo", "1"}};
 /// These take their value from one above unless they are given, so they have runs of their own.
 const Settings of_side{{"modulus_side", "7.3e6"}, {"kappa_side", "2.9"}};
@@ -116,6 +122,8 @@ class EveryVariable : public ::testing::Test {
   void SetUp() override
   {
     prepare_small_cases(folder_.path());
+    std::ofstream(folder_.path() / "common/resolution_small.lmp", std::ios::app)
+        << "variable looser equal 0*(v_looser_quick+v_looser_standard)\n";
     // What the deck packing_limits/limits.lmp finds for the grains of the second values.
     std::ofstream(folder_.path() / "common/packing_limits.csv", std::ios::app)
         << "gradation_cinder_gravel.csv,uniform_number,0.01,0.031,0.061,0.79,0.011,7.1e6,5e3,1,"
