@@ -16,9 +16,21 @@ std::vector<std::string> missed_checks(const std::string& id, const fs::path& fi
 {
   std::vector<std::string> missed;
   if (!fs::exists(file)) return missed;
-  for (const auto& row : csv_rows(read_text_file(file, "'" + shown(file) + "'"), shown(file)))
-    if (row.size() == 5 && row[0] == id && row[4] == "FAIL")
-      missed.push_back(row[1] + ": " + row[2] + ", allowed " + row[3]);
+  const auto rows = csv_rows(read_text_file(file, "'" + shown(file) + "'"), shown(file));
+  if (rows.empty()) return missed;
+  const auto place = [&](const std::string& column) -> std::size_t {
+    const auto& names = rows.front();
+    const auto found = std::find(names.begin(), names.end(), column);
+    if (found == names.end())
+      throw InputError("'" + shown(file) + "' must have a column '" + column +
+                       "', found none, make it again with `encase report`");
+    return found - names.begin();
+  };
+  const std::size_t test = place("test"), check = place("check"), found = place("found"),
+                    allowed = place("allowed"), verdict = place("verdict");
+  for (const auto& row : rows)
+    if (row.size() == rows.front().size() && row[test] == id && row[verdict] == "FAIL")
+      missed.push_back(row[check] + ": " + row[found] + ", allowed " + row[allowed]);
   return missed;
 }
 

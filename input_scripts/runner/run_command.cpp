@@ -73,8 +73,9 @@ void set_up_open_mpi(bool crowded)
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 0);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 0);
   }
-  // Seconds that mpirun leaves its ranks between SIGTERM and SIGKILL: enough for a restart file.
-  setenv("OMPI_MCA_odls_base_sigkill_timeout", "60", 0);
+  // Seconds that mpirun leaves its ranks between SIGTERM and SIGKILL: enough for a restart file. It
+  // waits them out, twice, behind a rank that ended with an error too.
+  setenv("OMPI_MCA_odls_base_sigkill_timeout", "5", 0);
   if (crowded) setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
 }
 

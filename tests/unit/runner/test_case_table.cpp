@@ -50,10 +50,10 @@ TEST(CaseTable, TakesTheOutcomeFromTheFolder)
   fs::remove(folder / "failed");
   std::ofstream(folder / "finished") << "2026\n";
   EXPECT_EQ(outcome_in(series.path()).outcome, "passed");
-  std::ofstream(series.path() / "checks.csv") << "test,check,found,allowed,verdict\n"
-                                                 "a,\"held, every sample\",0.2,0.01,FAIL\n"
-                                                 "a,ratio,0.2,0.01,not required\n"
-                                                 "b,ratio,0.2,0.01,FAIL\n";
+  std::ofstream(series.path() / "checks.csv") << "test,parameters,check,found,allowed,verdict\n"
+                                                 "a,study,\"held, every sample\",0.2,0.01,FAIL\n"
+                                                 "a,study,ratio,0.2,0.01,not required\n"
+                                                 "b,study,ratio,0.2,0.01,FAIL\n";
   EXPECT_EQ(outcome_in(series.path()).outcome, "checks missed");
   EXPECT_EQ(outcome_in(series.path()).why, "held, every sample: 0.2, allowed 0.01");
 }
