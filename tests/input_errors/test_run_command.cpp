@@ -323,6 +323,16 @@ TEST(RunCommand, TakesASetOfTheUsersByItsName)
       << record;
 }
 
+// Each row of series.csv names a deck that lies beside the program, and variables that it has.
+TEST(RunCommand, FindsTheDeckOfEveryRow)
+{
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_command({"--series", "all", "--dry-run", "--out", folder.path() / "out"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_TRUE(outcome.says("column_S4 ")) << outcome.output;
+}
+
 TEST(RunCommand, RecordsWhatTheRunUsed)
 {
   const TemporaryFolder folder;
