@@ -265,7 +265,7 @@ TEST(RunCommand, RefusesAnUnknownDeckAndVariableInTheUsersCases)
   std::ofstream(own) << "id,deck,variables\na,triaxial_plane,mu=1\n";
   expect_refused({"--cases", own},
                  "'deck' of case 'a' in '" + own.string() +
-                     "' must be one of triaxial_encased triaxial_plain or the file "
+                     "' must be one of column triaxial_encased triaxial_plain or the file "
                      "of your own deck, found 'triaxial_plane', check its name");
   std::ofstream(own) << "id,deck,variables\na,triaxial_plain,my=1\n";
   EXPECT_TRUE(run_command({"--cases", own})

@@ -26,7 +26,7 @@ Growth grow_on(int ranks)
   const std::size_t end = deck.find("\nif \"${stress_packing} == 0\" then \"run ");
   EXPECT_NE(end, std::string::npos);
   const Outcome outcome = run_small_triaxial(folder.path(), ranks, deck.substr(0, end) + R"(
-run 2900
+run 2800
 variable place atom x+2*y+3*z
 variable square atom vx^2+vy^2+vz^2
 compute places all reduce sum v_place
