@@ -21,7 +21,10 @@ struct Stage {
 /// grains by itself.
 class WholeTest {
  public:
-  explicit WholeTest(const std::string& deck) : deck_(deck)
+  /// `more`: arguments besides.
+  explicit WholeTest(const std::string& deck, std::vector<std::string> more = {})
+      : deck_(deck),
+        more_(std::move(more))
   {
     const Outcome outcome = run_deck(deck_, 1, folder_.path(), arguments_in(folder_));
     if (outcome.exit_code != 0) failure_ = outcome.output;
@@ -61,14 +64,17 @@ class WholeTest {
   }
 
  private:
-  static std::vector<std::string> arguments_in(const TemporaryFolder& folder)
+  std::vector<std::string> arguments_in(const TemporaryFolder& folder) const
   {
     std::vector<std::string> arguments = prepare_small_triaxial(folder.path());
     arguments.insert(arguments.end(), {"-var", "restart_every", "700", "-var", "preload", "60e3"});
+    arguments.insert(arguments.begin(), more_.begin(), more_.end());  // the first one counts
     return arguments;
   }
 
-  std::string deck_, failure_;
+  std::string deck_;
+  std::vector<std::string> more_;
+  std::string failure_;
   TemporaryFolder folder_;
 };
 
@@ -109,6 +115,19 @@ TEST(ResumedTriaxial, EndsTheSameFromTheFileOfTheFirstStep)
 TEST(ResumedTriaxial, EndsTheSameFromEveryStage)
 {
   expect_the_same_end_from_every_stage(plain_triaxial_deck(), {"history.csv", "grains/grains.pvd"});
+}
+
+// Such a growth ends when the stress is met, and the deck asks for that in pieces of its run.
+TEST(ResumedTriaxial, EndsTheSameFromAGrowthUnderAStress)
+{
+  const WholeTest whole(
+      plain_triaxial_deck(),
+      {"-var", "porosity", "0.48", "-var", "stress_packing", "5e3", "-var", "mu_packing", "0.3"});
+  ASSERT_EQ(whole.failure(), "");
+  const TemporaryFolder folder;
+  const Outcome outcome = whole.kill_and_go_on(folder, {stages[0].line, 2500}, 1);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  whole.expect_the_same_results(folder, {"history.csv"});
 }
 
 // The restart files of the first two stages hold a rigid sleeve, which the third one releases.
