@@ -79,6 +79,13 @@ CaseRecord record_of(const Json& json)
 
 }  // namespace
 
+const std::string* value_in(const Settings& settings, const std::string& name)
+{
+  for (const Setting& setting : settings)
+    if (setting.first == name) return &setting.second;
+  return nullptr;
+}
+
 CaseRecord read_case_record(const std::filesystem::path& file)
 {
   const std::string text = read_text_file(file, "'" + shown(file) + "'");

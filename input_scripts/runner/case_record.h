@@ -11,6 +11,9 @@ namespace encased_column {
 using Setting = std::pair<std::string, std::string>;
 using Settings = std::vector<Setting>;
 
+/// The value of `name`; nullptr where there is none.
+const std::string* value_in(const Settings& settings, const std::string& name);
+
 /// Reads NAME=VALUE without blanks. Throws InputError, with `keyword` as its subject.
 Setting read_setting(const std::string& keyword, const std::string& text);
 

@@ -19,13 +19,6 @@ void replace_reference(std::string& value, const std::string& name, const std::s
   if (at != std::string::npos) value.replace(at, reference.size(), by);
 }
 
-const std::string* value_of(const Settings& settings, const std::string& name)
-{
-  for (const Setting& setting : settings)
-    if (setting.first == name) return &setting.second;
-  return nullptr;
-}
-
 std::optional<double> number(const std::string& word)
 {
   if (word.empty() || std::isspace(static_cast<unsigned char>(word.front()))) return std::nullopt;
@@ -90,7 +83,7 @@ Settings asked_variables(const Deck& deck, const Settings& given)
 {
   Settings asked;
   for (const DeckVariable& variable : deck.variables) {
-    const std::string* own = value_of(given, variable.name);
+    const std::string* own = value_in(given, variable.name);
     std::string value = own ? *own : variable.value;
     // As the host does where it reads the line: only what stands before it is known there.
     replace_reference(value, "common", common_of_case);
@@ -110,12 +103,12 @@ bool same_value(const std::string& a, const std::string& b)
 Difference first_difference(const Settings& there, const Settings& now)
 {
   for (const auto& [name, value] : now) {
-    const std::string* other = value_of(there, name);
+    const std::string* other = value_in(there, name);
     if (!other) return {"nothing", name + "=" + value};
     if (!same_value(*other, value)) return {name + "=" + *other, name + "=" + value};
   }
   for (const auto& [name, value] : there)
-    if (!value_of(now, name)) return {name + "=" + value, "nothing"};
+    if (!value_in(now, name)) return {name + "=" + value, "nothing"};
   return {};
 }
 
@@ -135,19 +128,18 @@ Settings confirmed_variables(const std::string& id, const Settings& asked, const
 {
   Settings confirmed;
   for (const auto& [name, value] : asked) {
-    const auto found =
-        std::find_if(used.begin(), used.end(), [&](const Setting& s) { return s.first == name; });
-    if (found == used.end())
+    const std::string* found = value_in(used, name);
+    if (!found)
       throw InputError("variable '" + name + "' of case '" + id +
                        "' must be used as it was asked " +
                        "for, found that the run does not know it, write 'record_variables file " +
                        variables_file + "' behind the last variable of its deck");
-    if (!same_value(found->second, value))
+    if (!same_value(*found, value))
       throw InputError("variable '" + name + "' of case '" + id +
-                       "' must be used as it was asked " + "for, found " + found->second +
+                       "' must be used as it was asked " + "for, found " + *found +
                        " in the run and " + value +
                        " asked for, look in its deck where the variable is set besides");
-    confirmed.push_back(*found);
+    confirmed.emplace_back(name, *found);
   }
   return confirmed;
 }

@@ -22,13 +22,6 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-const std::string* value_in(const Settings& settings, const std::string& name)
-{
-  for (const Setting& setting : settings)
-    if (setting.first == name) return &setting.second;
-  return nullptr;
-}
-
 /// The value of `variable` as `given`, or else as `deck` has it; nullptr if it knows none.
 const std::string* value_of(const std::string& variable, const Deck& deck, const Settings& given)
 {

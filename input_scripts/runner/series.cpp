@@ -48,13 +48,21 @@ Settings read_settings(const std::string& text, const std::string& where)
   return settings;
 }
 
-std::string read_series_name(const std::string& word, const std::string& where)
+/// Names with ';' between them.
+std::vector<std::string> read_series_names(const std::string& text, const std::string& where)
 {
-  if (!word.empty() && (!is_folder_name(word) || word == every_series))
+  std::vector<std::string> names;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ';');) {
+    if (is_folder_name(word) && word != every_series) {
+      names.push_back(word);
+      continue;
+    }
     throw InputError("'series' of " + where +
                      " takes letters, digits, '_', '-' and '.', and is not 'all', found '" +
                      word.substr(0, 60) + "', write for example 'densities' or leave it empty");
-  return word;
+  }
+  return names;
 }
 
 bool read_mark(const std::string& word, const std::string& where)
@@ -120,7 +128,7 @@ std::vector<Case> read_series(const std::filesystem::path& file, const std::stri
     cases.push_back({id, cell("deck"), read_mark(cell("default"), where),
                      read_settings(cell("variables"), where),
                      cell("title").empty() ? id : cell("title"), cell("reproduces"),
-                     read_series_name(cell("series"), where)});
+                     read_series_names(cell("series"), where)});
   }
   if (cases.empty())
     throw InputError("'" + name +
@@ -133,8 +141,8 @@ std::vector<std::string> series_names(const std::vector<Case>& cases)
 {
   std::vector<std::string> names;
   for (const Case& one : cases)
-    if (!one.series.empty() && std::find(names.begin(), names.end(), one.series) == names.end())
-      names.push_back(one.series);
+    for (const std::string& name : one.series)
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   return names;
 }
 
@@ -143,7 +151,7 @@ std::vector<Case> cases_of_series(const std::string& series, const std::vector<C
   if (series == every_series) return cases;
   std::vector<Case> found;
   for (const Case& one : cases)
-    if (one.series == series) found.push_back(one);
+    if (std::count(one.series.begin(), one.series.end(), series)) found.push_back(one);
   if (found.empty())
     throw InputError("unknown series '" + series + "', expected one of: " + every_series + " " +
                      joined(series_names(cases)));

@@ -15,7 +15,7 @@ struct Case {
   bool by_default = false;
   Settings variables;
   std::string title, reproduces;
-  std::string series{};  ///< the rows it belongs to; empty: none
+  std::vector<std::string> series{};  ///< those it belongs to
 };
 
 /// The word of --series for all rows.

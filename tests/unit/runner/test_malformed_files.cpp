@@ -91,6 +91,16 @@ TEST_F(MalformedFile, ReadersTakeGoodOnes)
   EXPECT_EQ(read_used_variables(write(good_used_file)).back().second, "a \"b\"");
 }
 
+TEST_F(MalformedFile, CaseBelongsToEverySeriesItNames)
+{
+  const std::vector<Case> cases =
+      read_series(write("id,series,deck,variables\na,x;y,d,c=1\nb,y,d,c=2\nc,,d,c=3\n"), "own.csv");
+  EXPECT_EQ(series_names(cases), (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(cases_of_series("x", cases).size(), 1u);
+  EXPECT_EQ(cases_of_series("y", cases).size(), 2u);
+  EXPECT_EQ(cases_of_series("all", cases).size(), 3u);
+}
+
 TEST_F(MalformedFile, SeriesIsRefusedWithOneSentence)
 {
   const std::vector<Bad> table{
@@ -101,6 +111,7 @@ TEST_F(MalformedFile, SeriesIsRefusedWithOneSentence)
       {"id,deck,deck,variables\n", "found 'deck' twice"},
       {"id,series,deck,variables\na,all,d,c=1\n", "and is not 'all', found 'all'"},
       {"id,series,deck,variables\na,b c,d,c=1\n", "'series' of case 'a' in 'own.csv' takes"},
+      {"id,series,deck,variables\na,b;;c,d,c=1\n", "'series' of case 'a' in 'own.csv' takes"},
       {"id,deck\na,b\n", "must have the column 'variables'"},
       {head + "a,b,1,c=1\n", "must have 6 cells"},
       {head + "a,b,1,c=1,t,r,more\n", "must have 6 cells"},
