@@ -29,7 +29,7 @@ std::string word_behind(const Words& words, const std::string& keyword, std::siz
 std::optional<double> number_behind(const Words& words, const std::string& keyword,
                                     std::size_t place = 1)
 {
-  return arithmetic_value(word_behind(words, keyword, place));
+  return formula_value(word_behind(words, keyword, place));
 }
 
 std::istringstream table(const Deck& deck, const std::string& name)

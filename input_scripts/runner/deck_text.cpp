@@ -4,9 +4,10 @@
 #include "runner/case_variables.h"
 #include "runner/text_file.h"
 
+#include <muParser.h>
+
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <regex>
 #include <sstream>
 
@@ -16,64 +17,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Brackets before products before sums.
-class Arithmetic {
- public:
-  explicit Arithmetic(const std::string& text) : at_(text.c_str()) {}
-
-  std::optional<double> value()
-  {
-    const double x = sum(0);
-    if (*at_ || failed_ || !std::isfinite(x)) return std::nullopt;
-    return x;
-  }
-
- private:
-  double sum(int depth)
-  {
-    double x = product(depth);
-    while (*at_ == '+' || *at_ == '-') {
-      const bool plus = *at_++ == '+';
-      x += plus ? product(depth) : -product(depth);
-    }
-    return x;
-  }
-  double product(int depth)
-  {
-    double x = factor(depth);
-    while (*at_ == '*' || *at_ == '/') {
-      const bool times = *at_++ == '*';
-      const double y = factor(depth);
-      x = times ? x * y : x / y;
-    }
-    return x;
-  }
-  double factor(int depth)
-  {
-    if (depth > 50) return fail();
-    if (*at_ == '-') return ++at_, -factor(depth + 1);
-    if (*at_ == '(') {
-      ++at_;
-      const double x = sum(depth + 1);
-      if (*at_ != ')') return fail();
-      ++at_;
-      return x;
-    }
-    if (!std::isdigit(static_cast<unsigned char>(*at_)) && *at_ != '.') return fail();
-    char* end = nullptr;
-    const double x = std::strtod(at_, &end);
-    at_ = end;
-    return x;
-  }
-  double fail()
-  {
-    failed_ = true;
-    return 0.0;
-  }
-
-  const char* at_;
-  bool failed_ = false;
-};
+/// With the functions and the constant that formulas of the host have and muParser has not.
+mu::Parser formula_parser()
+{
+  mu::Parser parser;
+  parser.DefineFun("floor", [](double x) { return std::floor(x); });
+  parser.DefineFun("ceil", [](double x) { return std::ceil(x); });
+  parser.DefineConst("PI", std::acos(-1.0));
+  return parser;
+}
 
 /// v_NAME of a formula as ${NAME}.
 std::string with_braces(const std::string& formula)
@@ -91,9 +43,17 @@ std::string number_text(double x)
 
 }  // namespace
 
-std::optional<double> arithmetic_value(const std::string& text)
+std::optional<double> formula_value(const std::string& text)
 {
-  return text.empty() ? std::nullopt : Arithmetic(text).value();
+  static const mu::Parser empty = formula_parser();
+  mu::Parser parser = empty;
+  try {
+    parser.SetExpr(text);
+    const double value = parser.Eval();
+    if (std::isfinite(value)) return value;
+  } catch (const mu::Parser::exception_type&) {
+  }
+  return std::nullopt;
 }
 
 DeckText::DeckText(const Deck& deck, const Settings& asked) : deck_(deck)
@@ -159,7 +119,7 @@ std::optional<std::string> DeckText::replaced(const std::string& text, int depth
     if (found == values_.end()) return std::nullopt;
     auto value = replaced(found->second, depth + 1);
     if (!value) return std::nullopt;
-    if (const auto number = arithmetic_value(*value)) value = number_text(*number);
+    if (const auto number = formula_value(*value)) value = number_text(*number);
     result.replace(at, end + 1 - at, *value);
     at += value->size();
   }
@@ -169,7 +129,7 @@ std::optional<std::string> DeckText::replaced(const std::string& text, int depth
 std::optional<double> DeckText::number(const std::string& variable) const
 {
   const auto text = replaced("${" + variable + "}");
-  return text ? arithmetic_value(*text) : std::nullopt;
+  return text ? formula_value(*text) : std::nullopt;
 }
 
 std::vector<std::string> DeckText::words(const std::string& command,

@@ -10,9 +10,9 @@
 
 namespace encased_column {
 
-/// The value of a sum or product as decks write them: numbers, + - * / and brackets. Nothing where
-/// the text holds anything else.
-std::optional<double> arithmetic_value(const std::string& text);
+/// The value of a formula of numbers as decks write them, computed by muParser; nothing where the
+/// text is none, has a name in it that the host knows and muParser does not, or is not finite.
+std::optional<double> formula_value(const std::string& text);
 
 /// The lines of a deck and of what it includes, as far as they can be known without the host: what
 /// depends on a condition is taken as it stands.

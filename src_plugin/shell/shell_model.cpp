@@ -55,6 +55,9 @@ void ShellModel::set_state(const std::vector<Vec3>& position,
                            const std::vector<Vec3>& velocity,
                            const std::vector<Vec3>& angular_velocity)
 {
+  double jump = 0.0;
+  for (int i = 0; i < nodes(); ++i) jump = std::max(jump, (position[i] - position_[i]).norm());
+  travel_ += jump;
   position_ = position;
   rotation_ = rotation;
   velocity_ = velocity;
@@ -130,12 +133,15 @@ StepWork ShellModel::advance(double dt, double alpha)
     support.moment = -support.held_rotation * moment(i);
     work.supports += support_work(support, dt);
   }
+  double fastest = 0.0;
   for (int i = 0; i < nodes(); ++i) {
+    fastest = std::max(fastest, velocity_[i].squaredNorm());
     work.external += 0.5 * dt * external_[i].dot(velocity_before_[i] + velocity_[i]);
     position_[i] += dt * velocity_[i];
     rotation_[i] = turned(rotation_[i], angular_velocity_[i], dt);
     rotation_matrix_[i] = rotation_[i].toRotationMatrix();
   }
+  travel_ += dt * std::sqrt(fastest);
   return work;
 }
 

@@ -34,6 +34,8 @@ class ShellModel {
   const std::vector<ShellElement>& element() const { return element_; }
   const std::vector<Vec3>& reference() const { return reference_; }
   const std::vector<Vec3>& position() const { return position_; }
+  /// Never less than the way of any node between two calls [m]; grows.
+  double travel() const { return travel_; }
   const std::vector<Quaternion>& rotation() const { return rotation_; }
   /// Half a step behind the positions, as are the angular velocities.
   const std::vector<Vec3>& velocity() const { return velocity_; }
@@ -122,6 +124,7 @@ class ShellModel {
   std::vector<Mat3> rotation_matrix_;
   std::vector<double> true_mass_, true_inertia_, mass_, inertia_;
   std::vector<Support> support_;
+  double travel_ = 0.0;
 };
 
 }  // namespace encased_column

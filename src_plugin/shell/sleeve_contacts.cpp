@@ -5,71 +5,92 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace encased_column {
+
+namespace {
+
+/// Part of the margin by which grain and sleeve may move before all facets near by are looked at.
+constexpr double look_again = 0.1;
+
+/// Way from a point to the nearest one of a facet, which `weight` gets as area coordinates.
+Vec3 way_to_facet(const FacetVectors& corner, const Vec3& from, Vec3& weight)
+{
+  weight = nearest_on_triangle(corner[0], corner[1], corner[2], from);
+  return weight(0) * corner[0] + weight(1) * corner[1] + weight(2) * corner[2] - from;
+}
+
+}  // namespace
 
 void SleeveContacts::list(const ShellModel& model, const double* centers, const double* radii,
                           int grains, double margin)
 {
   margin_ = margin;
-  find_planes(model);
+  listed_travel_ = model.travel();
   listed_position_ = model.position();
   grid_.sort(model.facet(), model.position());
   grain_.clear();
   near_.clear();
-  begin_.assign(1, 0);
+  facet_.clear();
+  gap_.clear();
   const HeightBands bands(model.facet(), model.position());
   for (int i = 0; i < grains; ++i) {
     const Vec3 center = as_vec3(centers + 3 * i);
     const double reach = radii[i] + 1.5 * margin;
     if (bands.is_clear(center, reach)) continue;  // most grains
+    Near near{i, static_cast<int>(facet_.size()), 0, reach, center, radii[i], listed_travel_};
     grid_.near(center, reach, [&](int f) {
-      const FacetVectors corner = model.corners(f);
-      const Vec3 weight = nearest_on_triangle(corner[0], corner[1], corner[2], center);
-      const Vec3 point = weight(0) * corner[0] + weight(1) * corner[1] + weight(2) * corner[2];
-      if ((point - center).squaredNorm() < reach * reach) near_.push_back(f);
+      Vec3 weight;
+      const double square = way_to_facet(model.corners(f), center, weight).squaredNorm();
+      if (square >= reach * reach) return;
+      facet_.push_back(f);
+      gap_.push_back(std::sqrt(square) - radii[i]);
+      near.clear = std::min(near.clear, gap_.back());
     });
-    const int end = static_cast<int>(near_.size());
-    if (end == begin_.back()) continue;
+    near.end = static_cast<int>(facet_.size());
+    if (near.end == near.begin) continue;
     grain_.push_back(i);
-    begin_.push_back(end);
+    near_.push_back(near);
   }
 }
 
 bool SleeveContacts::is_stale(const ShellModel& model) const
 {
+  if (model.travel() - listed_travel_ <= 0.5 * margin_) return false;
   const double limit = 0.25 * margin_ * margin_;
   for (int i = 0; i < model.nodes(); ++i)
     if ((model.position()[i] - listed_position_[i]).squaredNorm() > limit) return true;
   return false;
 }
 
-// A facet is near some ten grains.
-void SleeveContacts::find_planes(const ShellModel& model)
+// Most facets near by stay out of reach for hundreds of steps. A gap d seen after the grain has
+// moved by m and the sleeve by s counts as one of d - m + s at the start: it closes no faster than
+// both move on, and the grain may first move back.
+bool SleeveContacts::touches(const ShellModel& model, Near& near, const Vec3& center, double radius)
 {
-  planes_.resize(model.facets());
-  for (int f = 0; f < model.facets(); ++f) {
-    const FacetVectors corner = model.corners(f);
-    const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-    planes_[f] = {normal, normal.dot(corner[0]), normal.squaredNorm()};
+  double closed = near.closed(model, center, radius);
+  if (closed < near.clear) return false;
+  const bool all = closed > look_again * margin_;
+  if (all) {
+    near.center = center, near.radius = radius, near.travel = model.travel();
+    closed = 0.0;
   }
-}
-
-bool SleeveContacts::touches(const ShellModel& model, int n, const Vec3& center, double radius)
-{
+  const double moved = (center - near.center).norm();
   facets_.clear();
-  for (int m = begin_[n]; m < begin_[n + 1]; ++m) {
-    const int f = near_[m];
-    // Most facets near by are out of reach of their plane already.
-    const double height = planes_[f].offset - planes_[f].normal.dot(center);
-    if (height * height >= radius * radius * planes_[f].square) continue;
-    const FacetVectors corner = model.corners(f);
-    const Vec3 weight = nearest_on_triangle(corner[0], corner[1], corner[2], center);
-    const Vec3 way = weight(0) * corner[0] + weight(1) * corner[1] + weight(2) * corner[2] - center;
-    const double square = way.squaredNorm();
-    if (square >= radius * radius) continue;
-    const double distance = std::sqrt(square);
-    facets_.push_back({f, weight, way / distance, radius - distance, 0.0, 0.0});
+  near.clear = std::numeric_limits<double>::infinity();
+  for (int m = near.begin; m < near.end; ++m) {
+    if (all || !(gap_[m] > closed)) {
+      const int f = facet_[m];
+      Vec3 weight;
+      const Vec3 way = way_to_facet(model.corners(f), center, weight);
+      const double square = way.squaredNorm();
+      const double distance = std::sqrt(square);
+      gap_[m] = distance - radius + closed - 2.0 * moved;
+      if (square < radius * radius)
+        facets_.push_back({f, weight, way / distance, radius - distance, 0.0, 0.0});
+    }
+    near.clear = std::min(near.clear, gap_[m]);
   }
   if (facets_.empty()) return false;
   merged_ = merge_touches(facets_);

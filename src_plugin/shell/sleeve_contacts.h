@@ -44,6 +44,8 @@ class SleeveContacts {
  public:
   /// Lists, for `grains` centers [m] in a row of triples, the facets within radius + 1.5 `margin`
   /// [m]. The list holds while no grain moves further than the margin and no node than half of it.
+  /// What is listed is looked at again only where grain and sleeve may have closed the gap between
+  /// them since they were looked at.
   void list(const ShellModel& model, const double* centers, const double* radii, int grains,
             double margin);
   /// True once a node has moved more than half the margin since list().
@@ -62,12 +64,11 @@ class SleeveContacts {
                                      std::vector<StiffnessBound>* bound, const Law& law)
   {
     if (grain_.empty()) return {};
-    if (moves) find_planes(model);
     for (int n = 0; n < static_cast<int>(grain_.size()); ++n) {
       const int i = grain_[n];
       const double radius = grains.radii[i];
       const Vec3 center = as_vec3(grains.centers + 3 * i);
-      if (!grains.counts(i) || !touches(model, n, center, radius)) continue;
+      if (!grains.counts(i) || !touches(model, near_[n], center, radius)) continue;
       if (is_behind(model)) return GrainBehind{i, facets_.front().facet};
       SleeveContact contact{n, i, merged_, {}};
       if (moves) {
@@ -83,14 +84,21 @@ class SleeveContacts {
   }
 
  private:
-  /// Of a facet: points p on it have normal . p = offset.
-  struct Plane {
-    Vec3 normal;            ///< of any length
-    double offset, square;  ///< length squared
+  /// A grain near the sleeve, and where all was when the gaps to its facets were found.
+  struct Near {
+    int grain, begin, end;  ///< its number; its facets in the list
+    double clear;           ///< smallest of its gaps [m]
+    Vec3 center;
+    double radius, travel;  ///< its own [m]; of the sleeve, ShellModel::travel()
+
+    /// By how much all gaps of then may have closed by motion and growth [m].
+    double closed(const ShellModel& model, const Vec3& center_now, double radius_now) const
+    {
+      return (center_now - center).norm() + (model.travel() - travel) + (radius_now - radius);
+    }
   };
 
-  void find_planes(const ShellModel& model);
-  bool touches(const ShellModel& model, int n, const Vec3& center, double radius);
+  bool touches(const ShellModel& model, Near& near, const Vec3& center, double radius);
   bool is_behind(const ShellModel& model) const;
   void take_point(const ShellModel& model, const Vec3& point);
   SurfaceMotion surface_motion(const ShellModel& model) const;
@@ -99,10 +107,12 @@ class SleeveContacts {
                      std::vector<StiffnessBound>& bound) const;
 
   FacetGrid grid_;
-  std::vector<Plane> planes_;
-  double margin_ = 0.0;
+  double margin_ = 0.0, listed_travel_ = 0.0;
   std::vector<Vec3> listed_position_;
-  std::vector<int> grain_, begin_, near_;
+  std::vector<int> grain_;
+  std::vector<Near> near_;   ///< of each grain
+  std::vector<int> facet_;   ///< of all grains, those of a grain in a row
+  std::vector<double> gap_;  ///< of each, between it and its grain [m]
   // Of the contact at hand:
   std::vector<FacetTouch> facets_;
   std::vector<FacetLever> levers_;

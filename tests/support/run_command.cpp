@@ -1,5 +1,7 @@
 #include "support/run_command.h"
 
+#include "support/small_triaxial.h"
+
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,10 +19,7 @@ namespace fs = std::filesystem;
 void prepare_small_cases(const fs::path& folder)
 {
   const fs::path inputs = fs::path(ENCASE_SOURCE) / "input_scripts";
-  fs::copy(inputs / "common", folder / "common", fs::copy_options::recursive);
-  std::ofstream(folder / "common/resolution_small.lmp") << "variable finest equal 10e-3\n"
-                                                           "variable skin equal 1e-3\n"
-                                                           "variable looser equal 0\n";
+  prepare_small_resolution(folder);
   std::ofstream rows(folder / "small.csv");
   rows << "id,deck,default,variables\n";
   for (const std::string kind : {"plain", "encased"}) {

@@ -30,12 +30,18 @@ Outcome run_small_triaxial(const fs::path& folder, int ranks)
   return run_small_triaxial(folder, ranks, plain_triaxial_deck());
 }
 
-std::vector<std::string> prepare_small_triaxial(const fs::path& folder)
+void prepare_small_resolution(const fs::path& folder)
 {
   fs::copy(inputs / "common", folder / "common", fs::copy_options::recursive);
   std::ofstream(folder / "common/resolution_small.lmp") << "variable finest equal 10e-3\n"
                                                            "variable skin equal 1e-3\n"
-                                                           "variable looser equal 0\n";
+                                                           "variable looser equal 0\n"
+                                                           "variable facet_here equal 5e-3\n";
+}
+
+std::vector<std::string> prepare_small_triaxial(const fs::path& folder)
+{
+  prepare_small_resolution(folder);
   std::vector<std::string> arguments;
   const std::vector<std::pair<std::string, std::string>> variables{
       {"common", "common"},   {"resolution", "small"}, {"parameters", "study"},

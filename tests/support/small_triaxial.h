@@ -13,6 +13,10 @@ Outcome run_small_triaxial(const std::filesystem::path& folder, int ranks);
 /// The same with `deck` in place of plain_triaxial_deck().
 Outcome run_small_triaxial(const std::filesystem::path& folder, int ranks, const std::string& deck);
 
+/// Copies the common files of the decks into `folder`/common, with a resolution `small` of a few
+/// grains.
+void prepare_small_resolution(const std::filesystem::path& folder);
+
 /// Puts what the small test includes into `folder` and returns its variables as arguments of the
 /// program.
 std::vector<std::string> prepare_small_triaxial(const std::filesystem::path& folder);

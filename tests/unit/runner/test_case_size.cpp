@@ -113,7 +113,7 @@ TEST(DeckText, FindsWordsThroughVariablesIncludesAndContinuedLines)
   const std::vector<std::string> words = text.words("place", "kind");
   ASSERT_EQ(words.size(), 4u);
   EXPECT_EQ(words[3], "fine");
-  EXPECT_DOUBLE_EQ(arithmetic_value(words[1]).value(), 0.196);
+  EXPECT_DOUBLE_EQ(formula_value(words[1]).value(), 0.196);
   EXPECT_EQ(text.words("place", "height").size(), 2u);
   EXPECT_FALSE(text.number("unknown"));
   EXPECT_TRUE(text.words("place", "depth").empty());
@@ -121,9 +121,11 @@ TEST(DeckText, FindsWordsThroughVariablesIncludesAndContinuedLines)
 
 TEST(DeckText, ReckonsAsDecksDo)
 {
-  EXPECT_DOUBLE_EQ(arithmetic_value("1+2*3").value(), 7.0);
-  EXPECT_DOUBLE_EQ(arithmetic_value("-(1-3)/4").value(), 0.5);
-  EXPECT_DOUBLE_EQ(arithmetic_value("1.2e-3").value(), 1.2e-3);
-  for (const char* bad : {"", "a", "1+", "(1", "1==2", "1/0", "1 2", "nan", "inf", "0x"})
-    EXPECT_FALSE(arithmetic_value(bad)) << bad;
+  EXPECT_DOUBLE_EQ(formula_value("1+2*3").value(), 7.0);
+  EXPECT_DOUBLE_EQ(formula_value("-(1-3)/4").value(), 0.5);
+  EXPECT_DOUBLE_EQ(formula_value("1.2e-3").value(), 1.2e-3);
+  EXPECT_DOUBLE_EQ(formula_value("(-1==1)+2*(3>=3&&1!=2)").value(), 2.0);
+  EXPECT_DOUBLE_EQ(formula_value("ceil(2.1)+floor(-0.5)+2^3").value(), 10.0);
+  for (const char* bad : {"", "a", "1+", "(1", "1/0", "1 2", "nan", "inf", "0x", "random(0,1,3)"})
+    EXPECT_FALSE(formula_value(bad)) << bad;
 }
