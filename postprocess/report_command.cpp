@@ -9,6 +9,7 @@
 #include "tables/check_table.h"
 #include "tables/result_table.h"
 #include "tables/set_comparison.h"
+#include "tables/target_table.h"
 #include "tables/theory_table.h"
 
 #include <vtkObject.h>
@@ -50,6 +51,8 @@ void write_tables(const ReportOptions& settings, const std::vector<SetResult>& s
   create_folder(settings.output);
   write_text(settings.output / "table.csv", result_csv(sets, targets));
   write_text(settings.output / "table.txt", table);
+  write_text(settings.output / "beside_study.txt", target_text(sets, targets));
+  write_text(settings.output / "beside_study.csv", target_csv(sets, targets));
   if (!theory.empty()) write_text(settings.output / "theory.csv", theory);
   write_text(settings.output / "checks.csv", check_csv(sets));
   write_text(settings.output / "checks.txt", checks);
@@ -67,7 +70,8 @@ void draw_pictures(const ReportOptions& settings, const std::vector<SetResult>& 
   draw_figures(folder, {check_figure(sets)});
   draw_figures(folder, energy_figures(sets));
   draw_figures(folder, sleeve_figures(sets, targets));
-  draw_figures(folder, column_figures(sets));
+  draw_figures(folder, column_series_figures(sets, targets));
+  draw_figures(folder, column_figures(sets, targets));
   draw_run_pictures(folder, sets);
   std::cout << "\nPictures: " << folder.string() << '\n';
 }
@@ -97,7 +101,7 @@ int run(const ReportOptions& settings, std::vector<std::string> arguments)
   const Targets targets(settings.targets);
   std::optional<Platen> platen;
   if (!settings.platen.empty()) platen = platen_of(settings.platen);
-  const std::vector<SetResult> sets = evaluate(found.runs, platen, targets.strip_limit());
+  const std::vector<SetResult> sets = evaluate(found.runs, platen, targets);
   if (!settings.pictures_only) {
     for (const std::string& sentence : found.left_out) std::cerr << "note: " << sentence << '\n';
     write_tables(settings, sets, targets);

@@ -21,6 +21,40 @@ std::vector<SleeveProfile> profiles_of(const ProfileColumns& columns)
   return profiles;
 }
 
+std::optional<SleeveProfile> profile_at(const std::vector<SleeveProfile>& profiles,
+                                        double axial_strain)
+{
+  constexpr double whole_way = 0.995;  // share of a strain that counts as having got there
+  if (profiles.empty() || profiles.back().axial_strain < whole_way * axial_strain)
+    return std::nullopt;
+  const auto after = std::find_if(profiles.begin(), profiles.end(), [&](const SleeveProfile& p) {
+    return p.axial_strain >= axial_strain;
+  });
+  if (after == profiles.begin()) return profiles.front();
+  if (after == profiles.end()) return profiles.back();
+  const SleeveProfile &low = *(after - 1), &high = *after;
+  const double share = (axial_strain - low.axial_strain) / (high.axial_strain - low.axial_strain);
+  if (low.height.size() != high.height.size()) return share < 0.5 ? low : high;
+  SleeveProfile profile{axial_strain, low.height, low.radial_displacement};
+  for (std::size_t ring = 0; ring < low.height.size(); ++ring) {
+    profile.height[ring] += share * (high.height[ring] - low.height[ring]);
+    profile.radial_displacement[ring] +=
+        share * (high.radial_displacement[ring] - low.radial_displacement[ring]);
+  }
+  return profile;
+}
+
+SleeveProfile between_platens(const SleeveProfile& profile, const PlatenHeights& platens)
+{
+  SleeveProfile inside{profile.axial_strain, {}, {}};
+  for (std::size_t ring = 0; ring < profile.height.size(); ++ring)
+    if (profile.height[ring] >= platens.bottom && profile.height[ring] <= platens.top) {
+      inside.height.push_back(profile.height[ring]);
+      inside.radial_displacement.push_back(profile.radial_displacement[ring]);
+    }
+  return inside;
+}
+
 std::vector<std::size_t> nearest_places(const std::vector<double>& strains,
                                         const std::vector<double>& wanted, double tolerance)
 {

@@ -3,6 +3,7 @@
 #include "analysis/run_checks.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace encased_column {
@@ -43,6 +44,15 @@ struct ProfileColumns {
 /// The profiles of `columns`, in order: rows of one step that follow one another make one. Of a
 /// step that comes twice, as after a restart, the later one counts.
 std::vector<SleeveProfile> profiles_of(const ProfileColumns& columns);
+
+/// The sleeve at `axial_strain`, each ring straight between the profiles before and after it.
+/// Nothing beyond the last one, but for half a percent of its strain; the first one before it.
+std::optional<SleeveProfile> profile_at(const std::vector<SleeveProfile>& profiles,
+                                        double axial_strain);
+
+/// The rings of `profile` that stand between the platens: a platen may move inside a sleeve that is
+/// longer than the specimen.
+SleeveProfile between_platens(const SleeveProfile& profile, const PlatenHeights& platens);
 
 /// For each strain of `wanted` (rising) the place in `strains` of the nearest one, if it is not
 /// farther than `tolerance`; none twice.

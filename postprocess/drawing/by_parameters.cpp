@@ -7,13 +7,19 @@ namespace encased_column {
 
 namespace {
 
-/// `sets` in groups of the same parameters, in the order in which these come.
+bool of_columns(const SetResult& set)
+{
+  return set.set == "column";
+}
+
+/// `sets` in groups of the same parameters, columns apart, in the order in which these come.
 std::vector<std::vector<SetResult>> by_parameters(const std::vector<SetResult>& sets)
 {
   std::vector<std::vector<SetResult>> groups;
   for (const SetResult& set : sets) {
     const auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
-      return group.front().parameters() == set.parameters();
+      return group.front().parameters() == set.parameters() &&
+             of_columns(group.front()) == of_columns(set);
     });
     if (known == groups.end())
       groups.push_back({set});
@@ -39,11 +45,13 @@ void add_panels(std::vector<Figure>& figures, Figure figure)
 std::vector<Figure> drawn_by_parameters(const std::vector<SetResult>& sets, const FigureMaker& make)
 {
   std::vector<Figure> figures;
+  const bool others = std::any_of(sets.begin(), sets.end(), std::not_fn(of_columns));
   for (const std::vector<SetResult>& group : by_parameters(sets)) {
     const std::string parameters = group.front().parameters();
+    std::string name = others && of_columns(group.front()) ? ", columns" : "";
+    if (!parameters.empty()) name += ", parameters " + parameters;
     for (Figure& figure : make(group)) {
-      if (!parameters.empty())
-        for (Panel& panel : figure.panels) panel.title += ", parameters " + parameters;
+      for (Panel& panel : figure.panels) panel.title += name;
       add_panels(figures, std::move(figure));
     }
   }

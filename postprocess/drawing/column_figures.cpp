@@ -2,8 +2,11 @@
 
 #include "core/input_error.h"
 #include "drawing/labels.h"
+#include "tables/target_record.h"
 #include "tables/text_layout.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace encased_column {
@@ -11,7 +14,6 @@ namespace encased_column {
 namespace {
 
 const Axis strain_axis{axial_strain_title, false, 0.0, {}};
-constexpr double sample_tolerance = 0.01;  // of axial strain: how far a sample may be off
 
 std::string sphere_name(const TestResult& test, std::size_t sphere)
 {
@@ -27,8 +29,7 @@ Panel along_height(const TestResult& test, const std::string& title, const std::
   Panel panel{title, {axis}, height, {}};
   const std::vector<double> strains = over_time(test.spheres.front(), &SphereSample::axial_strain);
   std::size_t color = 0;
-  for (const std::size_t i :
-       nearest_places(strains, {0.0, 0.05, 0.10, 0.15, 0.20}, sample_tolerance)) {
+  for (const std::size_t i : nearest_places(strains, shown_strains(test), shown_tolerance(test))) {
     const std::string displacement = fixed(1e3 * strains[i] * initial_height(test), 1) + " mm";
     panel.series.push_back({"ε₁ = " + fixed(100.0 * strains[i], 1) + " %, " + displacement,
                             scaled(along_column(test.spheres, i, quantity), factor),
@@ -47,7 +48,40 @@ Panel over_displacement(const TestResult& test, const std::string& title, const 
     panel.series.push_back({sphere_name(test, s),
                             scaled(over_time(test.spheres[s], &SphereSample::axial_strain),
                                    1e3 * initial_height(test)),
-                            over_time(test.spheres[s], quantity), palette(s)});
+                            over_time(test.spheres[s], quantity), palette(s), stroke_of_number(s)});
+  return panel;
+}
+
+/// Rows of the study's column that tell `quantity` of a test like `test`.
+std::vector<TargetRow> told(const TestResult& test, const Targets& targets,
+                            const std::string& quantity)
+{
+  std::vector<TargetRow> rows;
+  if (!test.run->column()) return rows;
+  for (const TargetRow& row : targets.rows_of("column", quantity))
+    if (row.published.model && meets(test_condition(test), row.words(), {})) rows.push_back(row);
+  return rows;
+}
+
+/// A grey line across `panel` along its axis of heights or of displacements for each of `rows`.
+void mark_start(Panel& panel, const std::vector<TargetRow>& rows, bool along_height)
+{
+  const Panel curves = panel;
+  std::vector<double> ends{HUGE_VAL, -HUGE_VAL};
+  for (const Series& series : curves.series)
+    for (const double at : along_height ? series.y : series.x)
+      ends = {std::min(ends[0], at), std::max(ends[1], at)};
+  for (const TargetRow& row : rows) {
+    const double value = *row.published.model;
+    const std::vector<double> values{value, value};
+    panel.series.push_back({"study, start: " + in_words(value), along_height ? values : ends,
+                            along_height ? ends : values, grey, Stroke::dash_dotted});
+  }
+}
+
+Panel marked(Panel panel, const std::vector<TargetRow>& rows, bool along_height)
+{
+  mark_start(panel, rows, along_height);
   return panel;
 }
 
@@ -58,7 +92,7 @@ Panel sphere_forces(const TestResult& test, const std::string& title,
   for (std::size_t s = 0; s < test.spheres.size(); ++s)
     panel.series.push_back({sphere_name(test, s),
                             percent(over_time(test.spheres[s], &SphereSample::axial_strain)),
-                            over_time(test.spheres[s], quantity), palette(s)});
+                            over_time(test.spheres[s], quantity), palette(s), stroke_of_number(s)});
   return panel;
 }
 
@@ -85,7 +119,23 @@ Panel strong_shares(const TestResult& test)
   return panel;
 }
 
-Figure contact_force(const TestResult& test, const std::string& name)
+/// The study's largest force before and after loading.
+void mark_forces(Panel& panel, const TestResult& test, const Targets& targets)
+{
+  for (const auto& [when, strain] :
+       {std::pair("before", 0.0), std::pair("after", test.axial_strain.back())})
+    for (const TargetRow& row :
+         told(test, targets, std::string("largest contact force ") + when + " loading"))
+      panel.series.push_back(
+          {std::string("study, ") + when + ": " + in_words(*row.published.model) + " N",
+           {100.0 * strain},
+           {*row.published.model},
+           strain > 0.0 ? grey : black,
+           Stroke::none,
+           true});
+}
+
+Figure contact_force(const TestResult& test, const std::string& name, const Targets& targets)
 {
   std::vector<Panel> panels;
   if (!test.spheres.empty())
@@ -102,6 +152,7 @@ Figure contact_force(const TestResult& test, const std::string& name)
     panels[1].series.push_back({"whole specimen", strain,
                                 values_of(test, &ContactSample::mean_force), black,
                                 Stroke::dashed});
+    mark_forces(panels[0], test, targets);
     if (!test.contacts.front().share.empty()) panels.push_back(strong_shares(test));
   }
   return {"contact_force_" + test.run->id, "Contact forces",
@@ -111,8 +162,10 @@ Figure contact_force(const TestResult& test, const std::string& name)
 }
 
 void add_sphere_figures(std::vector<Figure>& figures, const TestResult& test,
-                        const std::string& name)
+                        const std::string& name, const Targets& targets)
 {
+  const auto porosities = told(test, targets, "initial porosity in measuring spheres");
+  const auto coordination = told(test, targets, "initial coordination number");
   const std::string id = "_" + test.run->id;
   figures.push_back(
       {"column_stress" + id,
@@ -123,35 +176,40 @@ void add_sphere_figures(std::vector<Figure>& figures, const TestResult& test,
                      &SphereSample::axial_stress, 1e-3),
         along_height(test, "Radial stress, " + name, "radial stress [kPa]",
                      &SphereSample::radial_stress, 1e-3)}});
-  figures.push_back({"column_porosity" + id,
-                     "Porosity along the column",
-                     "Counterpart of the study's Figure 14; overlaps counted once.",
-                     {over_displacement(test, "Porosity of the spheres, " + name, "porosity n [-]",
-                                        &SphereSample::porosity_less_overlap),
-                      along_height(test, "Porosity along the height, " + name, "porosity n [-]",
-                                   &SphereSample::porosity_less_overlap, 1.0)}});
+  figures.push_back(
+      {"column_porosity" + id,
+       "Porosity along the column",
+       "Counterpart of the study's Figure 14; overlaps counted once.",
+       {marked(over_displacement(test, "Porosity of the spheres, " + name, "porosity n [-]",
+                                 &SphereSample::porosity_less_overlap),
+               porosities, false),
+        marked(along_height(test, "Porosity along the height, " + name, "porosity n [-]",
+                            &SphereSample::porosity_less_overlap, 1.0),
+               porosities, true)}});
   figures.push_back(
       {"column_coordination" + id,
        "Coordination number along the column",
        "Counterpart of the study's Figure 15; all grains and contacts count.",
-       {over_displacement(test, "Coordination number of the spheres, " + name,
-                          "coordination number [-]", &SphereSample::coordination_number),
-        along_height(test, "Coordination number along the height, " + name,
-                     "coordination number [-]", &SphereSample::coordination_number, 1.0)}});
+       {marked(over_displacement(test, "Coordination number of the spheres, " + name,
+                                 "coordination number [-]", &SphereSample::coordination_number),
+               coordination, false),
+        marked(along_height(test, "Coordination number along the height, " + name,
+                            "coordination number [-]", &SphereSample::coordination_number, 1.0),
+               coordination, true)}});
 }
 
 }  // namespace
 
-std::vector<Figure> column_figures(const std::vector<SetResult>& sets)
+std::vector<Figure> column_figures(const std::vector<SetResult>& sets, const Targets& targets)
 {
   std::vector<Figure> figures;
   const auto labels = test_labels(sets);
   for (std::size_t s = 0; s < sets.size(); ++s)
     for (std::size_t t = 0; t < sets[s].tests.size(); ++t) {
       const TestResult& test = sets[s].tests[t];
-      if (!test.spheres.empty()) add_sphere_figures(figures, test, labels[s][t]);
+      if (!test.spheres.empty()) add_sphere_figures(figures, test, labels[s][t], targets);
       if (!test.spheres.empty() || !test.contacts.empty())
-        figures.push_back(contact_force(test, labels[s][t]));
+        figures.push_back(contact_force(test, labels[s][t], targets));
     }
   return figures;
 }

@@ -182,7 +182,7 @@ void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& pa
 
 Color palette(std::size_t i)
 {
-  static const std::array<Color, 7> colors{
+  static const std::array<Color, palette_size> colors{
       Color{0, 114, 178},  Color{213, 94, 0},  Color{0, 158, 115}, Color{204, 121, 167},
       Color{86, 180, 233}, Color{230, 159, 0}, Color{0, 0, 0}};
   return colors[i % colors.size()];

@@ -10,6 +10,8 @@ namespace encased_column {
 
 using Color = std::array<unsigned char, 3>;
 
+constexpr std::size_t palette_size = 7;
+
 /// Color `i` of Okabe and Ito's palette, told apart with any color vision; repeats after seven.
 /// Source: M. Okabe, K. Ito, "Color Universal Design", 2008 (yellow left out: faint on white).
 Color palette(std::size_t i);

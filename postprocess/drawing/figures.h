@@ -28,11 +28,18 @@ std::vector<Figure> triaxial_figures(const std::vector<SetResult>& sets, const T
 /// middle third, with the published failure lines.
 std::vector<Figure> load_figures(const std::vector<SetResult>& sets, const Targets& targets);
 
-/// Inside the column, from its measuring spheres, for each test that has them: column_stress_<id>
+/// Columns beside one another: column_pressure_density and column_pressure_gradation, the pressure
+/// on each platen over the displacement, with the numbers that the study tells; column_expansion_*,
+/// along the height at its 12 and 24 mm; and column_profile, each column at several displacements.
+/// Only those of gradations if there are others than the study's S1; nothing without columns.
+std::vector<Figure> column_series_figures(const std::vector<SetResult>& sets,
+                                          const Targets& targets);
+
+/// Inside the specimen, from its measuring spheres, for each test that has them: column_stress_<id>
 /// along the height, column_porosity_<id> and column_coordination_<id> over displacement and along
 /// the height, and contact_force_<id> over axial strain, with those of the whole specimen if the
-/// run wrote them.
-std::vector<Figure> column_figures(const std::vector<SetResult>& sets);
+/// run wrote them. The study's numbers of its column stand in those of the same column.
+std::vector<Figure> column_figures(const std::vector<SetResult>& sets, const Targets& targets);
 
 /// How well the runs went: unbalanced ratio, inertial number, platen difference of plain tests,
 /// over axial strain.

@@ -1,7 +1,10 @@
 #include "drawing/labels.h"
 
 #include "core/input_error.h"
+#include "tables/text_layout.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -21,20 +24,68 @@ std::vector<double> percent(const std::vector<double>& shares)
   return scaled(shares, 100.0);
 }
 
+namespace {
+
+using Label = std::string (*)(const TestResult&);
+
+std::string stress_label(const TestResult& test)
+{
+  return "σ₃ = " + in_words(test.run->confining_stress / 1e3) + " kPa";
+}
+
+std::string gradation_label(const TestResult& test)
+{
+  return test.run->gradation;
+}
+
+bool differs(const std::vector<TestResult>& tests, Label label)
+{
+  return std::any_of(tests.begin(), tests.end(),
+                     [&](const TestResult& test) { return label(test) != label(tests.front()); });
+}
+
+/// What the tests of `set` are told apart by.
+std::vector<Label> telling(const SetResult& set)
+{
+  std::vector<Label> labels;
+  const bool columns = set.set == "column";
+  if (!columns || differs(set.tests, stress_label)) labels.push_back(stress_label);
+  if (differs(set.tests, gradation_label)) labels.push_back(gradation_label);
+  if (differs(set.tests, density_label) || labels.empty()) labels.push_back(density_label);
+  return labels;
+}
+
+}  // namespace
+
+std::string density_label(const TestResult& test)
+{
+  const TestDensity& density = test.density;
+  if (density.relative_density) {
+    const std::string porosity =
+        density.laboratory_porosity ? " (n = " + fixed(*density.laboratory_porosity, 3) + ")" : "";
+    return "Dr = " + fixed(100.0 * *density.relative_density, 0) + " %" + porosity;
+  }
+  if (test.run->generation_porosity)
+    return "n = " + fixed(*test.run->generation_porosity, 3) + " at generation";
+  return test.run->id;
+}
+
 std::vector<std::vector<std::string>> test_labels(const std::vector<SetResult>& sets)
 {
   std::vector<std::vector<std::string>> labels;
   for (const SetResult& set : sets) {
-    std::map<double, int> runs_at;
-    for (const TestResult& test : set.tests) ++runs_at[test.run->confining_stress];
     labels.emplace_back();
+    std::map<std::string, int> called;
+    const std::vector<Label> telling_labels = telling(set);
     for (const TestResult& test : set.tests) {
-      const double sigma3 = test.run->confining_stress;
-      std::string label = "σ₃ = " + in_words(sigma3 / 1e3) + " kPa";
+      std::string label;
+      for (const Label part : telling_labels) label += (label.empty() ? "" : ", ") + part(test);
       if (sets.size() > 1) label += test.run->encased() ? ", encased" : ", plain";
-      if (runs_at[sigma3] > 1) label = test.run->id;
+      ++called[label];
       labels.back().push_back(label);
     }
+    for (std::size_t t = 0; t < set.tests.size(); ++t)
+      if (called[labels.back()[t]] > 1) labels.back()[t] = set.tests[t].run->id;
   }
   return labels;
 }
@@ -56,6 +107,48 @@ std::vector<std::vector<std::size_t>> color_numbers(const std::vector<SetResult>
     }
   }
   return numbers;
+}
+
+Stroke stroke_of_number(std::size_t number)
+{
+  static const std::array<Stroke, 3> strokes{Stroke::solid, Stroke::dashed, Stroke::dash_dotted};
+  return strokes[number / palette_size % strokes.size()];
+}
+
+Stroke stroke_of(const SetResult& set, std::size_t sets, std::size_t number)
+{
+  if (sets > 1 && !set.tests.front().run->encased()) return Stroke::dashed;
+  return stroke_of_number(number);
+}
+
+namespace {
+
+/// Between the strains at which a test is looked at [-].
+double shown_step(const TestResult& test)
+{
+  constexpr double of_triaxial_tests = 0.05, of_columns = 6e-3;  // [-], [m]
+  constexpr double most = 8.0;                                   // curves in one chart
+  if (!test.run->column()) return of_triaxial_tests;
+  double step = of_columns / initial_height(test);
+  while (test.axial_strain.back() > most * step) step *= 2.0;
+  return step;
+}
+
+}  // namespace
+
+double shown_tolerance(const TestResult& test)
+{
+  // Frames of a triaxial test are 1 % apart.
+  return test.run->column() ? 0.5 * shown_step(test) : 0.01;
+}
+
+std::vector<double> shown_strains(const TestResult& test)
+{
+  std::vector<double> strains;
+  const double step = shown_step(test);
+  for (int i = 0; i * step <= test.axial_strain.back() + shown_tolerance(test); ++i)
+    strains.push_back(i * step);
+  return strains;
 }
 
 }  // namespace encased_column

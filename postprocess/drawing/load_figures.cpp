@@ -37,9 +37,8 @@ std::vector<Curve> curves_of(const std::vector<SetResult>& sets)
   for (std::size_t s = 0; s < sets.size(); ++s)
     for (std::size_t t = 0; t < sets[s].tests.size(); ++t) {
       const TestResult& test = sets[s].tests[t];
-      const bool dashed = sets.size() > 1 && !test.run->encased();
-      curves.push_back(
-          {&test, labels[s][t], palette(colors[s][t]), dashed ? Stroke::dashed : Stroke::solid});
+      curves.push_back({&test, labels[s][t], palette(colors[s][t]),
+                        stroke_of(sets[s], sets.size(), colors[s][t])});
     }
   return curves;
 }
@@ -99,7 +98,9 @@ Panel boundary_path(const std::vector<Curve>& curves, const std::vector<SetResul
     panel.series.push_back(curve.of(path.p, path.q));
   }
   std::vector<Series> lines;
-  for (const SetResult& set : sets) lines.push_back(laboratory_line(panel, set.set, targets));
+  for (const SetResult& set : sets)
+    lines.push_back(
+        laboratory_line(panel, set.set == "column" ? "encased_triaxial" : set.set, targets));
   for (Series& line : lines)
     if (!line.x.empty()) panel.series.push_back(std::move(line));
   return panel;
@@ -135,9 +136,10 @@ std::vector<Figure> load_figures_of_set(const std::vector<SetResult>& sets, cons
                {boundary_path(curves, sets, targets)}};
   const Panel core = core_path(curves, targets);
   if (!core.series.empty()) paths.panels.push_back(core);
+  if (sets.front().set == "column") return {paths};  // column_series_figures() has the rest
   return {{"pressure_displacement",
            "Vertical pressure over displacement",
-           "Counterpart of the study's Figures 11a, 16 and 18, for the triaxial specimen.",
+           "Counterpart of the study's Figure 11a, for the triaxial specimen.",
            {pressure(curves, "upper", &ShearRecord::stress_top),
             pressure(curves, "lower", &ShearRecord::stress_bottom)}},
           paths};

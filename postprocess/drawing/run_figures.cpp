@@ -70,8 +70,7 @@ Figure checks_of_set(const std::vector<SetResult>& sets)
       const ShearRecord& record = sets[s].tests[t].record;
       const std::vector<double> x = percent(record.axial_strain);
       const Color color = palette(colors[s][t]);
-      const Stroke stroke =
-          sets.size() > 1 && !sets[s].tests[t].run->encased() ? Stroke::dashed : Stroke::solid;
+      const Stroke stroke = stroke_of(sets[s], sets.size(), colors[s][t]);
       const std::string& label = labels[s][t];
       unbalanced.series.push_back({label, x, record.unbalanced_average, color, stroke});
       inertial.series.push_back({label, x, record.inertial_number, color, stroke});

@@ -11,8 +11,7 @@ namespace encased_column {
 namespace {
 
 const Axis strain_axis{axial_strain_title, false, 0.0, {}};
-constexpr double end_of_study = 20.0;     // % axial strain (section 2.1.3)
-constexpr double frame_tolerance = 0.01;  // of axial strain: how far a frame may be off
+constexpr double end_of_study = 20.0;  // % axial strain (section 2.1.3)
 
 struct NamedTest {
   const TestResult* test;
@@ -95,8 +94,10 @@ Panel radial_profile(const NamedTest& named)
               {}};
   std::vector<double> strains;
   for (const SleeveProfile& profile : named.test->profiles) strains.push_back(profile.axial_strain);
+  std::vector<double> shown = shown_strains(*named.test);
+  shown.erase(shown.begin());  // no displacement yet
   std::size_t color = 0;
-  for (const std::size_t i : nearest_places(strains, {0.05, 0.10, 0.15, 0.20}, frame_tolerance)) {
+  for (const std::size_t i : nearest_places(strains, shown, shown_tolerance(*named.test))) {
     const SleeveProfile& profile = named.test->profiles[i];
     panel.series.push_back({"ε₁ = " + fixed(100.0 * profile.axial_strain, 1) + " %",
                             scaled(profile.radial_displacement, 1e3), scaled(profile.height, 1e3),
@@ -134,16 +135,12 @@ Panel radial_expansion(const std::vector<NamedTest>& tests, double displacement)
               {}};
   std::size_t color = 0;
   for (const NamedTest& named : tests) {
-    const double height = initial_height(*named.test);
-    std::vector<double> strains;
-    for (const SleeveProfile& profile : named.test->profiles)
-      strains.push_back(profile.axial_strain);
-    for (const std::size_t i : nearest_places(strains, {displacement / height}, frame_tolerance)) {
-      const SleeveProfile& profile = named.test->profiles[i];
-      panel.series.push_back(
-          {named.name + " (" + fixed(1e3 * profile.axial_strain * height, 1) + " mm)",
-           scaled(profile.radial_displacement, 1e3), scaled(profile.height, 1e3), palette(color)});
-    }
+    const auto profile =
+        profile_at(named.test->profiles, displacement / initial_height(*named.test));
+    if (profile)
+      panel.series.push_back({named.name, scaled(profile->radial_displacement, 1e3),
+                              scaled(profile->height, 1e3), palette(color),
+                              stroke_of_number(color)});
     ++color;
   }
   return panel;
@@ -160,17 +157,20 @@ std::vector<Figure> sleeve_figures_of_set(const std::vector<SetResult>& sets,
 {
   std::vector<Panel> strains, stresses, profiles, tensions, expansions;
   const std::vector<NamedTest> tests = encased_tests(sets);
+  const bool columns = sets.front().set == "column";  // column_series_figures() has their shape
   for (const NamedTest& named : tests) {
-    strains.push_back(radial_strain(named, targets));
     stresses.push_back(platens(named));
     if (named.test->sleeve) tensions.push_back(hoop_tension(named, targets.strip_limit()));
+    if (columns) continue;
+    strains.push_back(radial_strain(named, targets));
     const Panel profile = radial_profile(named);
     if (!profile.series.empty()) profiles.push_back(profile);
   }
-  for (const double displacement : {0.012, 0.024}) {
-    const Panel panel = radial_expansion(tests, displacement);
-    if (!panel.series.empty()) expansions.push_back(panel);
-  }
+  if (!columns)
+    for (const double displacement : {0.012, 0.024}) {
+      const Panel panel = radial_expansion(tests, displacement);
+      if (!panel.series.empty()) expansions.push_back(panel);
+    }
   std::vector<Figure> figures;
   add(figures, {"radial_strain", "Radial strain at three heights",
                 "Counterpart of the study's Figure 8; its values at the end of the tests are "
@@ -183,8 +183,8 @@ std::vector<Figure> sleeve_figures_of_set(const std::vector<SetResult>& sets,
   add(figures, {"radial_profile", "Radial displacement along the height",
                 "Counterpart of the study's Figure 11b, for the triaxial specimen.", profiles});
   add(figures, {"radial_expansion", "Radial displacement at 12 and 24 mm of displacement",
-                "Counterpart of the study's Figures 17 and 19, for the triaxial specimen; in "
-                "brackets the displacement of the nearest profile.",
+                "Counterpart of the study's Figures 17 and 19, for the triaxial specimen; straight "
+                "between the profiles before and after.",
                 expansions});
   add(figures, {"hoop_tension", "Hoop tension of the sleeve",
                 "Grey: the last step of the study's strip test (Table 3).", tensions});

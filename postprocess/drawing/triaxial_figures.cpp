@@ -11,11 +11,6 @@ namespace encased_column {
 
 namespace {
 
-Stroke stroke_of(const SetResult& set, std::size_t sets)
-{
-  return sets > 1 && !set.tests.front().run->encased() ? Stroke::dashed : Stroke::solid;
-}
-
 std::string kind(const SetResult& set)
 {
   return set.tests.front().run->encased() ? "encased" : "plain";
@@ -45,7 +40,7 @@ Panel curves(const std::vector<SetResult>& sets, std::vector<double> TestResult:
       const TestResult& test = sets[s].tests[t];
       panel.series.push_back({labels[s][t], percent(test.axial_strain),
                               scaled(test.*member, factor), palette(colors[s][t]),
-                              stroke_of(sets[s], sets.size())});
+                              stroke_of(sets[s], sets.size(), colors[s][t])});
     }
   return panel;
 }
@@ -86,7 +81,7 @@ void add_set(Panel& panel, const SetResult& set, std::size_t first_color, const 
   if (const auto strength = targets.strength(set.set, true))
     panel.series.push_back(failure_line(failure_line_of(*strength), highest,
                                         in_legend(name + "laboratory", *strength), black,
-                                        name_set ? stroke_of(set, 2) : Stroke::dashed));
+                                        name_set ? stroke_of(set, 2, 0) : Stroke::dashed));
   if (const auto strength = targets.strength(set.set, false))
     panel.series.push_back(failure_line(failure_line_of(*strength), highest,
                                         in_legend(name + "model", *strength), grey,
@@ -111,18 +106,20 @@ std::vector<Figure> triaxial_figures_of_set(const std::vector<SetResult>& sets,
   strength.y = {"deviatoric stress q [kPa]", false, 0.0, {}};
   for (std::size_t s = 0; s < sets.size(); ++s)
     add_set(strength, sets[s], s, targets, sets.size() > 1);
-  return {{"deviatoric_stress",
-           "Deviatoric stress over axial strain",
-           "The study has it in Figures 3 (plain) and 7a (encased).",
-           {stress}},
-          {"volumetric_strain",
-           "Volumetric strain over axial strain",
-           "Of the volume between the platens; compression positive.",
-           {volume}},
-          {"p_q",
-           "Failure lines in the p-q plane",
-           "Through the peaks; the study has it in Figure 7b (encased).",
-           {strength}}};
+  std::vector<Figure> figures{{"deviatoric_stress",
+                               "Deviatoric stress over axial strain",
+                               "The study has it in Figures 3 (plain) and 7a (encased).",
+                               {stress}},
+                              {"volumetric_strain",
+                               "Volumetric strain over axial strain",
+                               "Of the volume between the platens; compression positive.",
+                               {volume}}};
+  if (sets.front().set != "column")  // all of them at one confining stress
+    figures.push_back({"p_q",
+                       "Failure lines in the p-q plane",
+                       "Through the peaks; the study has it in Figure 7b (encased).",
+                       {strength}});
+  return figures;
 }
 
 }  // namespace

@@ -49,6 +49,7 @@ CaseRun read_description(const fs::path& folder)
     run.inputs.emplace_back(name, value);
     if (name == "resolution") run.resolution = value;
     if (name == "parameters") run.parameters = value;
+    if (name == "gradation") run.gradation = gradation_name(value);
   }
   return run;
 }
@@ -98,6 +99,22 @@ std::vector<fs::path> cases_of(const fs::path& folder)
 
 }  // namespace
 
+bool CaseRun::column() const
+{
+  constexpr double most_of_a_triaxial_specimen = 3.0;  // heights over diameters
+  const auto height = variables.find("height"), radius = variables.find("radius");
+  if (!encased() || height == variables.end() || radius == variables.end()) return false;
+  return height->second > most_of_a_triaxial_specimen * 2.0 * radius->second;
+}
+
+std::string gradation_name(const fs::path& file)
+{
+  std::string name = file.stem();
+  for (const std::string start : {"gradation_", "column_"})
+    if (name.size() > start.size() && name.rfind(start, 0) == 0) name.erase(0, start.size());
+  return name;
+}
+
 CaseRuns read_case_runs(const std::vector<fs::path>& folders)
 {
   CaseRuns found;
@@ -119,8 +136,8 @@ CaseRuns read_case_runs(const std::vector<fs::path>& folders)
     throw InputError("figures take one triaxial run that reached shear at least, found none in '" +
                      folders.front().string() + "', see the log.liggghts of the cases");
   std::stable_sort(found.runs.begin(), found.runs.end(), [](const CaseRun& a, const CaseRun& b) {
-    return std::make_tuple(a.encased(), std::cref(a.parameters), a.confining_stress) <
-           std::make_tuple(b.encased(), std::cref(b.parameters), b.confining_stress);
+    return std::make_tuple(a.encased(), a.column(), std::cref(a.parameters), a.confining_stress) <
+           std::make_tuple(b.encased(), b.column(), std::cref(b.parameters), b.confining_stress);
   });
   return found;
 }

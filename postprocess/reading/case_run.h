@@ -20,20 +20,30 @@ struct CaseRun {
   std::vector<std::pair<std::string, std::string>> inputs;  ///< all variables, in the deck's order
   std::string resolution;                                   ///< empty if the deck has none
   std::string parameters;  ///< the set its values are from; empty if the deck has none
-  std::map<std::string, double> variables;    ///< the numbers among the deck's variables
-  bool has_sleeve = false;                    ///< it has written a sleeve's files
-  double confining_stress;                    ///< sigma3 asked for [Pa]
-  TextTable history;                          ///< samples of the shear stage
+  std::map<std::string, double> variables;  ///< the numbers among the deck's variables
+  std::string gradation;    ///< what its file is called, "S2"; empty if the deck has none
+  bool has_sleeve = false;  ///< it has written a sleeve's files
+  double confining_stress;  ///< sigma3 asked for [Pa]
+  TextTable history;        ///< samples of the shear stage
   std::optional<double> generation_porosity;  ///< at full size, as gradation.csv reports it [-]
 
   bool encased() const { return has_sleeve; }
+  /// Encased and more slender than a triaxial specimen, which is two diameters high.
+  bool column() const;
   /// The set of the published values this run belongs to, as targets.csv calls it.
-  std::string set() const { return encased() ? "encased_triaxial" : "plain_triaxial"; }
+  std::string set() const
+  {
+    return column() ? "column" : encased() ? "encased_triaxial" : "plain_triaxial";
+  }
 };
+
+/// What a file of size classes is called in the study's way: "gradation_column_S2.csv" is S2,
+/// "my_gradation.csv" my_gradation.
+std::string gradation_name(const std::filesystem::path& file);
 
 /// The runs found, and a sentence for each folder that was left out and why.
 struct CaseRuns {
-  std::vector<CaseRun> runs;  ///< plain before encased, then by parameters and confining stress
+  std::vector<CaseRun> runs;  ///< plain, encased, columns; then by parameters, confining stress
   std::vector<std::string> left_out;
 };
 

@@ -2,6 +2,7 @@
 
 #include "runner/deck.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <regex>
 
@@ -25,14 +26,31 @@ std::string resolved(std::string value, const CaseRun& run)
   return value;
 }
 
+/// The deck that `run` was made with, empty if its folder has none. Of files that a variable
+/// chooses it is those that the run's own choose: of two sets the one it used tells its sources.
+Deck deck_of(const CaseRun& run)
+{
+  const fs::path input = run.folder / "input", file = input / (run.deck + ".lmp");
+  if (!fs::is_regular_file(file)) return {};
+  return read_deck(run.deck, file, input / "common", run.inputs);
+}
+
 }  // namespace
+
+std::optional<double> usual_value(const CaseRun& run, const std::string& name)
+{
+  const Deck deck = deck_of(run);
+  const DeckVariable* variable = deck.find(name);
+  if (!variable) return std::nullopt;
+  char* end = nullptr;
+  const double number = std::strtod(variable->value.c_str(), &end);
+  if (variable->value.empty() || *end) return std::nullopt;
+  return number;
+}
 
 std::vector<DeckInput> deck_inputs(const CaseRun& run)
 {
-  // The files that the run's own variables choose: of two sets the one it used tells its sources.
-  const fs::path input = run.folder / "input", file = input / (run.deck + ".lmp");
-  Deck deck;
-  if (fs::is_regular_file(file)) deck = read_deck(run.deck, file, input / "common", run.inputs);
+  const Deck deck = deck_of(run);
   std::vector<DeckInput> inputs;
   for (const auto& [name, value] : run.inputs) {
     const DeckVariable* known = deck.find(name);

@@ -22,7 +22,7 @@ std::optional<double> optional_number(const std::string& column, const std::stri
 
 Targets::Targets(const std::filesystem::path& file) : table_(file)
 {
-  for (const char* column : {"set", "quantity", "condition", "value_test", "value_model"})
+  for (const char* column : {"set", "quantity", "unit", "condition", "value_test", "value_model"})
     table_.words(column);
 }
 
@@ -47,6 +47,39 @@ std::optional<Strength> Targets::strength(const std::string& set, bool laborator
   const auto c = laboratory ? cohesion.laboratory : cohesion.model;
   if (!phi || !c) return std::nullopt;
   return Strength{*phi * pi / 180.0, *c * 1e3};
+}
+
+std::vector<TargetRow> Targets::all() const
+{
+  std::vector<TargetRow> rows;
+  for (std::size_t i = 0; i < table_.rows(); ++i)
+    rows.push_back({table_.words("set")[i],
+                    table_.words("quantity")[i],
+                    table_.words("unit")[i],
+                    table_.words("condition")[i],
+                    table_.has("source") ? table_.words("source")[i] : "",
+                    {optional_number("value_test", table_.words("value_test")[i]),
+                     optional_number("value_model", table_.words("value_model")[i])}});
+  return rows;
+}
+
+std::vector<TargetRow> Targets::rows_of(const std::string& set, const std::string& quantity) const
+{
+  std::vector<TargetRow> rows;
+  for (const TargetRow& row : all())
+    if (row.set == set && starts_with(row.quantity, quantity)) rows.push_back(row);
+  return rows;
+}
+
+std::vector<DensityPoint> Targets::densities() const
+{
+  std::vector<DensityPoint> points;
+  for (const TargetRow& row : rows_of("column_density", "porosity")) {
+    const std::optional<double> density = row.words().relative_density;
+    if (density && row.published.laboratory)
+      points.push_back({*density, *row.published.laboratory});
+  }
+  return points;
 }
 
 std::optional<StripLimit> Targets::strip_limit() const

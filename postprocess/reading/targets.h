@@ -1,12 +1,15 @@
 #pragma once
 
+#include "analysis/relative_density.h"
 #include "analysis/sleeve_record.h"
 #include "analysis/strength.h"
+#include "analysis/target_condition.h"
 #include "reading/text_table.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace encased_column {
 
@@ -14,6 +17,14 @@ namespace encased_column {
 struct Published {
   std::optional<double> laboratory;
   std::optional<double> model;  ///< the study's own numerical model
+};
+
+/// A row as it stands in the file.
+struct TargetRow {
+  std::string set, quantity, unit, condition, source;
+  Published published;
+  /// What its words say about the test.
+  TargetCondition words() const { return target_condition(quantity + "; " + condition); }
 };
 
 /// The published values, looked up by set, quantity and condition.
@@ -28,6 +39,15 @@ class Targets {
 
   /// The published strength of `set`, of the laboratory or of the model.
   std::optional<Strength> strength(const std::string& set, bool laboratory) const;
+
+  /// Porosities of the laboratory's samples and their relative densities (Table 6).
+  std::vector<DensityPoint> densities() const;
+
+  /// All rows, in order.
+  std::vector<TargetRow> all() const;
+
+  /// The rows of `set` whose quantity starts with `quantity`.
+  std::vector<TargetRow> rows_of(const std::string& set, const std::string& quantity) const;
 
   /// The last step of the strip test of the geotextile.
   std::optional<StripLimit> strip_limit() const;

@@ -7,9 +7,11 @@
 #include "report/page_parts.h"
 #include "tables/check_table.h"
 #include "tables/page_tables.h"
+#include "tables/result_notes.h"
 #include "tables/result_table.h"
 #include "tables/theory_table.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace encased_column {
@@ -53,6 +55,12 @@ PageData facts(const TestResult& test, const Targets& targets, const RunRecord& 
   list << fact("Porosity at the start of shear",
                fixed(run.history.numbers(history_column::porosity_less_overlap).front(), 3),
                "overlaps counted once");
+  if (test.density.relative_density)
+    list << fact(
+        "Relative density", fixed(100.0 * *test.density.relative_density, 0) + " %",
+        test.density.laboratory_porosity
+            ? "porosity " + fixed(*test.density.laboratory_porosity, 3) + " in the laboratory"
+            : "");
   if (test.grains) list << fact("Grains", std::to_string(*test.grains), "");
   const CheckCount count = count_checks({{run.set(), {test}, {}}});
   list << fact("Checks passed",
@@ -71,7 +79,8 @@ void set_table(PageData& page, const std::string& id, const std::string& caption
 std::vector<Figure> triaxial_curves(const Sets& sets, const Targets& targets)
 {
   std::vector<Figure> figures = triaxial_figures(sets, targets);
-  figures.pop_back();  // the failure line takes several tests
+  const auto line = [](const Figure& figure) { return figure.name == "p_q"; };  // takes several
+  figures.erase(std::remove_if(figures.begin(), figures.end(), line), figures.end());
   for (const Figure& figure : load_figures(sets, targets)) figures.push_back(figure);
   return figures;
 }
@@ -155,8 +164,10 @@ std::string case_page(const TestResult& test, const Targets& targets,
     std::copy(figures.begin(), figures.end(), std::back_inserter(all));
   };
   set_figures("load_figures", triaxial_curves(sets, targets));
-  set_figures("sleeve_figures", sleeve_figures(sets, targets));
-  set_figures("column_figures", column_figures(sets));
+  std::vector<Figure> sleeve = column_series_figures(sets, targets);
+  for (const Figure& figure : sleeve_figures(sets, targets)) sleeve.push_back(figure);
+  set_figures("sleeve_figures", sleeve);
+  set_figures("column_figures", column_figures(sets, targets));
   std::vector<Figure> run_figures = energy_figures(sets);
   run_figures.insert(run_figures.begin(), check_figure(sets));
   set_figures("run_figures", run_figures);

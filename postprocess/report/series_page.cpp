@@ -7,8 +7,10 @@
 #include "report/page_parts.h"
 #include "tables/check_table.h"
 #include "tables/page_tables.h"
+#include "tables/result_notes.h"
 #include "tables/result_table.h"
 #include "tables/set_comparison.h"
+#include "tables/target_table.h"
 #include "tables/theory_table.h"
 
 namespace encased_column {
@@ -19,13 +21,17 @@ namespace fs = std::filesystem;
 
 constexpr int small_picture_width = 400;  // px
 
-/// The tests of a set are called encased or plain.
-std::string heading_of(const SetResult& set)
+const std::string parameters_heading = "parameters";
+
+std::string three_digits(const std::optional<double>& value)
 {
-  return set.tests.front().run->encased() ? "Encased" : "Plain";
+  return value ? fixed(*value, 3) : "-";
 }
 
-const std::string parameters_heading = "parameters";
+std::string percent_or_dash(const std::optional<double>& share)
+{
+  return share ? fixed(100.0 * *share, 0) : "-";
+}
 
 std::vector<std::string> as_words(const TestResult& test, const RunRecord& record)
 {
@@ -36,6 +42,9 @@ std::vector<std::string> as_words(const TestResult& test, const RunRecord& recor
           in_words(run.confining_stress / 1e3),
           run.resolution.empty() ? "-" : run.resolution,
           test.grains ? std::to_string(*test.grains) : "-",
+          percent_or_dash(test.density.relative_density),
+          three_digits(test.density.laboratory_porosity),
+          three_digits(run.generation_porosity),
           fixed(run.history.numbers(history_column::porosity_less_overlap).front(), 3),
           fixed(test.peak.reported / 1e3, 0),
           test.secant_modulus ? fixed(*test.secant_modulus / 1e6, 1) : "-",
@@ -45,11 +54,22 @@ std::vector<std::string> as_words(const TestResult& test, const RunRecord& recor
           time_of(record)};
 }
 
+/// "Plain and encased triaxial tests, encased columns", as far as `sets` hold them.
+std::string kinds_of(const std::vector<SetResult>& sets)
+{
+  std::string text;
+  for (const SetResult& set : sets) {
+    const std::string heading = tests_heading(set);
+    if (text.find(heading) == std::string::npos) text += (text.empty() ? "" : "; ") + heading;
+  }
+  return text;
+}
+
 void set_tests(PageData& page, const std::vector<SetResult>& sets, const fs::path& folder)
 {
-  Rows rows{{"test", parameters_heading, "σ₃ [kPa]", "resolution", "grains [-]", "n at start [-]",
-             "peak q [kPa]", "E50 [MPa]", "strain reached [%]", "checks passed", "warnings [-]",
-             "time"}};
+  Rows rows{{"test", parameters_heading, "σ₃ [kPa]", "resolution", "grains [-]", "Dr [%]",
+             "n, laboratory [-]", "n at generation [-]", "n at start [-]", "peak q [kPa]",
+             "E50 [MPa]", "strain reached [%]", "checks passed", "warnings [-]", "time"}};
   PageData pages{PageData::type::list}, repeats{PageData::type::list};
   for (const SetResult& set : sets)
     for (const TestResult& test : set.tests) {
@@ -81,9 +101,8 @@ void set_results(PageData& page, const std::vector<SetResult>& sets, const Targe
     }
     tables << table_data(
         "results_" + set.set + (set.parameters().empty() ? "" : "_" + set.parameters()),
-        heading_of(set) + " triaxial tests" +
-            (set.parameters().empty() ? "" : ", parameters " + set.parameters()) + ", q from the " +
-            platen_name(set.tests.front().platen),
+        tests_heading(set) + (set.parameters().empty() ? "" : ", parameters " + set.parameters()) +
+            ", q from the " + platen_name(set.tests.front().platen),
         without(rows, "unit"), "quantity");
     for (const std::string& note : result_notes(set)) notes << PageData{"sentence", note};
   }
@@ -98,6 +117,7 @@ std::vector<Figure> series_figures(const std::vector<SetResult>& sets, const Tar
 {
   std::vector<Figure> figures = triaxial_figures(sets, targets);
   for (const Figure& figure : load_figures(sets, targets)) figures.push_back(figure);
+  for (const Figure& figure : column_series_figures(sets, targets)) figures.push_back(figure);
   for (const Figure& figure : sleeve_figures(sets, targets)) figures.push_back(figure);
   figures.push_back(check_figure(sets));
   return figures;
@@ -109,25 +129,25 @@ std::string series_page(const std::vector<SetResult>& sets, const Targets& targe
                         const fs::path& folder, const std::vector<std::string>& left_out)
 {
   PageData page;
-  std::string kinds;
   std::size_t tests = 0;
   std::vector<Picture> pictures;
   for (const SetResult& set : sets) {
-    if (kinds.empty())
-      kinds = heading_of(set);
-    else if (kinds == "Plain" && heading_of(set) == "Encased")  // plain tests come first
-      kinds += " and encased";
     tests += set.tests.size();
     for (const TestResult& test : set.tests)
       for (Picture& picture : pictures_of(*test.run, folder / "figures", small_picture_width))
         pictures.push_back(std::move(picture));
   }
-  page.set("title", kinds + " triaxial tests: series " + fs::canonical(folder).filename().string());
+  page.set("title", kinds_of(sets) + ": series " + fs::canonical(folder).filename().string());
   page.set("subtitle", std::to_string(tests) + (tests == 1 ? " test" : " tests") +
                            " of cinder gravel beside the laboratory and the numerical model of "
                            "the study.");
   set_tests(page, sets, folder);
   page.set("left_out", list_of("sentence", left_out));
+  page.set("study",
+           table_data("beside_study",
+                      "All values of the study; ratio: to the laboratory's, to the model's where "
+                      "there is none",
+                      target_rows(sets, targets), "set"));
   set_results(page, sets, targets);
   page.set("figures", figures_data(series_figures(sets, targets)));
   page.set("has_pictures",

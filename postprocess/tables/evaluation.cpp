@@ -62,7 +62,7 @@ ShearRecord shear_record(const CaseRun& run)
   return record;
 }
 
-TestResult evaluate_run(const CaseRun& run, Platen platen, const std::optional<StripLimit>& strip)
+TestResult evaluate_run(const CaseRun& run, Platen platen, const Targets& targets)
 {
   TestResult result;
   result.run = &run;
@@ -84,12 +84,14 @@ TestResult evaluate_run(const CaseRun& run, Platen platen, const std::optional<S
   const std::optional<GrainFile> grains = last_grain_file(run.folder);
   if (grains) result.grains = grains->grains;
   result.checks.push_back(outside_check(run, grains));
+  result.density = test_density(run, targets);
   result.spheres = read_spheres(run);
   result.contacts = read_contacts(run);
   if (!run.encased()) return result;
 
   result.sleeve = read_sleeve_record(run.folder);
   result.profiles = read_sleeve_profiles(run.folder);
+  const std::optional<StripLimit> strip = targets.strip_limit();
   if (result.sleeve && strip)
     for (const Check& check : sleeve_checks(*result.sleeve, *strip)) result.checks.push_back(check);
   return result;
@@ -124,6 +126,18 @@ Platen platen_of(const std::string& word)
                    "', write for example '--platen bottom'");
 }
 
+std::string tests_name(const SetResult& set)
+{
+  if (set.set == "column") return "columns";
+  return set.tests.front().run->encased() ? "encased tests" : "plain tests";
+}
+
+std::string tests_heading(const SetResult& set)
+{
+  if (set.set == "column") return "Encased columns";
+  return set.tests.front().run->encased() ? "Encased triaxial tests" : "Plain triaxial tests";
+}
+
 bool name_parameters(const std::vector<SetResult>& sets)
 {
   return std::any_of(sets.begin(), sets.end(),
@@ -131,7 +145,7 @@ bool name_parameters(const std::vector<SetResult>& sets)
 }
 
 std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen,
-                                const std::optional<StripLimit>& strip)
+                                const Targets& targets)
 {
   std::vector<SetResult> sets;
   for (const CaseRun& run : runs) {
@@ -139,7 +153,7 @@ std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<
       sets.push_back({run.set(), {}, {}});
     const Platen usual = run.encased() ? Platen::bottom : Platen::mean;
     try {
-      sets.back().tests.push_back(evaluate_run(run, platen.value_or(usual), strip));
+      sets.back().tests.push_back(evaluate_run(run, platen.value_or(usual), targets));
     } catch (const InputError& problem) {
       throw InputError("run '" + run.id + "': " + problem.what());
     }

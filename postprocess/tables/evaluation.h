@@ -4,6 +4,8 @@
 #include "analysis/sleeve_record.h"
 #include "analysis/strength.h"
 #include "reading/case_run.h"
+#include "reading/targets.h"
+#include "tables/test_density.h"
 
 #include <optional>
 #include <string>
@@ -32,6 +34,7 @@ struct TestResult {
   ShearRecord record;
   std::vector<Check> checks;
   std::optional<long> grains;
+  TestDensity density;
   std::optional<SleeveRecord> sleeve;   ///< of encased tests that wrote one
   std::vector<SleeveProfile> profiles;  ///< the same
   std::vector<SphereSeries> spheres;    ///< from the bottom; none if the run wrote none
@@ -58,9 +61,15 @@ bool name_parameters(const std::vector<SetResult>& sets);
 /// Evaluates all runs, plain and encased ones and each set of parameters by itself. Without
 /// `platen`, plain tests use the mean of both platens and encased ones the bottom: the sleeve takes
 /// load, and the study read its base wall. The results refer to `runs`. The sleeve is checked
-/// against `strip` if there is one. Throws InputError, naming the run, where a history cannot be
-/// evaluated.
+/// against the strip test of `targets`, and densities are those of its Table 6. Throws InputError,
+/// naming the run, where a history cannot be evaluated.
 std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen,
-                                const std::optional<StripLimit>& strip);
+                                const Targets& targets);
+
+/// "plain tests", "encased tests" or "columns".
+std::string tests_name(const SetResult& set);
+
+/// The same as a heading: "Plain triaxial tests".
+std::string tests_heading(const SetResult& set);
 
 }  // namespace encased_column

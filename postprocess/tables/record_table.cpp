@@ -59,6 +59,12 @@ Rows record_rows(const TestResult& test, const RunRecord& record)
   }
   rows.push_back({"axial strain reached [%]", fixed(100.0 * test.axial_strain.back(), 2)});
   rows.push_back({"number of grains", test.grains ? std::to_string(*test.grains) : "not written"});
+  if (test.density.relative_density)
+    rows.push_back({"relative density of the sample in the laboratory [%]",
+                    fixed(100.0 * *test.density.relative_density, 1)});
+  if (test.density.laboratory_porosity)
+    rows.push_back({"porosity of the sample in the laboratory [-]",
+                    fixed(*test.density.laboratory_porosity, 4)});
   if (run.generation_porosity)
     rows.push_back({"porosity at generation [-]", fixed(*run.generation_porosity, 4)});
   rows.push_back({"porosity at the start of shear, overlaps counted twice [-]",

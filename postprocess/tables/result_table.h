@@ -28,13 +28,6 @@ std::vector<ResultRow> result_rows(const SetResult& set, const Targets& targets)
 extern const std::vector<std::string> result_headings;
 std::vector<std::string> as_words(const ResultRow& row);
 
-/// What a reader of the rows of one test must know: a peak that is an average or at the end.
-std::vector<std::string> test_notes(const TestResult& test);
-
-/// The same for all tests of a set, whether there is no line, and in what the runs differ that it
-/// goes through.
-std::vector<std::string> result_notes(const SetResult& set);
-
 /// The sets as one CSV table with differences in percent of the published values.
 std::string result_csv(const std::vector<SetResult>& sets, const Targets& targets);
 

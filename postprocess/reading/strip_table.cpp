@@ -1,0 +1,38 @@
+#include "reading/strip_table.h"
+
+#include "reading/text_table.h"
+
+#include <algorithm>
+
+namespace encased_column {
+
+namespace {
+
+/// E t up to the strength: what the sleeve bears beyond it no strip test has shown.
+StripTable straight_line(const CaseRun& run)
+{
+  const auto modulus = run.variables.find("modulus_sleeve"),
+             thickness = run.variables.find("thickness"), strength = run.variables.find("strength");
+  for (const auto& known : {modulus, thickness, strength})
+    if (known == run.variables.end()) return {};
+  const double stiffness = modulus->second * thickness->second;
+  if (!(stiffness > 0.0)) return {};
+  return {{0.0, strength->second / stiffness}, {0.0, strength->second}};
+}
+
+}  // namespace
+
+StripTable strip_table(const CaseRun& run)
+{
+  if (!run.encased()) return {};
+  const auto strip = std::find_if(run.inputs.begin(), run.inputs.end(),
+                                  [](const auto& input) { return input.first == "strip"; });
+  if (strip == run.inputs.end() || strip->second == "none") return straight_line(run);
+  // Decks name it from the folder that they run in.
+  const std::filesystem::path file = run.folder / strip->second;
+  if (!std::filesystem::exists(file)) return {};
+  const TextTable table(file);
+  return {table.numbers("strain [-]"), table.numbers("hoop_tension [N/m]")};
+}
+
+}  // namespace encased_column
