@@ -1,0 +1,40 @@
+#pragma once
+
+#include "drawing/figures.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace encased_column {
+
+/// A column with the look of its curves.
+struct ColumnCurve {
+  const TestResult* test;
+  std::string label;
+  Color color;
+  Stroke stroke;
+};
+using ColumnCurves = std::vector<ColumnCurve>;
+
+/// Columns of one gradation and several densities, or of several gradations.
+struct Comparison {
+  std::string name, title;  ///< of its figures: "density", "several relative densities"
+  ColumnCurves curves;
+};
+
+/// The row of the study's column that tells `quantity`.
+std::optional<TargetRow> column_row(const Targets& targets, const std::string& quantity);
+
+/// Pressure on the "upper" or the "lower" platen of all columns, with the study's numbers.
+Panel pressure_panel(const Comparison& columns, const std::string& platen,
+                     std::vector<double> ShearRecord::*stress, const Targets& targets);
+
+/// Radial displacement along one column at several displacements of the platens.
+Panel stages_panel(const TestResult& test, const std::string& name, const Targets& targets);
+
+/// All columns at one displacement [m], with the largest expansions that the study tells there as
+/// lines over the part of the height that it finds them in.
+Panel expansion_panel(const Comparison& columns, double displacement, const Targets& targets);
+
+}  // namespace encased_column
