@@ -5,6 +5,13 @@
 
 namespace encased_column {
 
+/// Whether a test whose last sample is at `end` counts as having come to `wanted`: what it lacks to
+/// it, half a percent at most, is the rest of a step between samples.
+inline bool got_to(double end, double wanted)
+{
+  return end >= 0.995 * wanted;
+}
+
 /// A quantity y sampled along x (for a test: along axial strain) and taken as linear between the
 /// samples, so that averages do not depend on how densely a stretch was sampled.
 class SampledCurve {

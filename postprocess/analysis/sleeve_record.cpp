@@ -1,5 +1,7 @@
 #include "analysis/sleeve_record.h"
 
+#include "analysis/sampled_curve.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -24,9 +26,7 @@ std::vector<SleeveProfile> profiles_of(const ProfileColumns& columns)
 std::optional<SleeveProfile> profile_at(const std::vector<SleeveProfile>& profiles,
                                         double axial_strain)
 {
-  constexpr double whole_way = 0.995;  // share of a strain that counts as having got there
-  if (profiles.empty() || profiles.back().axial_strain < whole_way * axial_strain)
-    return std::nullopt;
+  if (profiles.empty() || !got_to(profiles.back().axial_strain, axial_strain)) return std::nullopt;
   const auto after = std::find_if(profiles.begin(), profiles.end(), [&](const SleeveProfile& p) {
     return p.axial_strain >= axial_strain;
   });

@@ -12,7 +12,6 @@ using Found = std::optional<double>;
 using Test = TargetRecord;
 using Condition = TargetCondition;
 
-constexpr double whole_way = 0.995;    // share of a displacement that counts as having got there
 constexpr double last_stretch = 1e-3;  // m
 
 std::size_t largest_place(const std::vector<double>& values)
@@ -20,39 +19,11 @@ std::size_t largest_place(const std::vector<double>& values)
   return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
 }
 
-Found secant_modulus_of(const Test& test, const Condition&)
+/// What the record holds as it is.
+template <std::optional<double> Test::*number>
+Found number_of(const Test& test, const Condition&)
 {
-  return test.secant_modulus;
-}
-
-Found peak_of(const Test& test, const Condition&)
-{
-  return test.peak;
-}
-
-Found friction_angle_of(const Test& test, const Condition&)
-{
-  return test.friction_angle;
-}
-
-Found cohesion_of(const Test& test, const Condition&)
-{
-  return test.cohesion;
-}
-
-Found generation_porosity_of(const Test& test, const Condition&)
-{
-  return test.generation_porosity;
-}
-
-Found porosity_of(const Test& test, const Condition&)
-{
-  return test.porosity;
-}
-
-Found grains_of(const Test& test, const Condition&)
-{
-  return test.grains;
+  return test.*number;
 }
 
 /// At 0.25, 0.5 or 0.75 H.
@@ -97,7 +68,7 @@ std::optional<std::pair<double, double>> porosities(const Test& test)
 Found pressure_at(const Test& test, const Condition& condition)
 {
   if (!condition.displacement || test.displacement.size() < 2 ||
-      test.displacement.back() < whole_way * *condition.displacement)
+      !got_to(test.displacement.back(), *condition.displacement))
     return std::nullopt;
   return SampledCurve(test.displacement, test.pressure).value(*condition.displacement);
 }
@@ -182,13 +153,13 @@ Found strip_tension(const Test& test, const Condition& condition)
 const std::vector<TargetValue>& target_values()
 {
   static const std::vector<TargetValue> values{
-      {"secant modulus E50", "", secant_modulus_of},
-      {"apparent friction angle", "", friction_angle_of},
-      {"apparent cohesion", "", cohesion_of},
-      {"peak deviator q", "", peak_of},
-      {"porosity at generation", "", generation_porosity_of},
-      {"porosity", "", porosity_of},
-      {"number of particles", "", grains_of},
+      {"secant modulus E50", "", number_of<&Test::secant_modulus>},
+      {"apparent friction angle", "", number_of<&Test::friction_angle>},
+      {"apparent cohesion", "", number_of<&Test::cohesion>},
+      {"peak deviator q", "", number_of<&Test::peak>},
+      {"porosity at generation", "", number_of<&Test::generation_porosity>},
+      {"porosity", "", number_of<&Test::porosity>},
+      {"number of particles", "", number_of<&Test::grains>},
       {"radial strain at 0.25H", "", expansion_at_the_end<0>},
       {"radial strain at 0.50H", "", expansion_at_the_end<1>},
       {"radial strain at 0.75H", "", expansion_at_the_end<2>},

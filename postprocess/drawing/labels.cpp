@@ -72,6 +72,9 @@ std::string density_label(const TestResult& test)
 
 std::vector<std::vector<std::string>> test_labels(const std::vector<SetResult>& sets)
 {
+  const auto encased = [](const SetResult& set) { return set.tests.front().run->encased(); };
+  const bool both = std::any_of(sets.begin(), sets.end(), encased) &&
+                    !std::all_of(sets.begin(), sets.end(), encased);
   std::vector<std::vector<std::string>> labels;
   for (const SetResult& set : sets) {
     labels.emplace_back();
@@ -80,7 +83,7 @@ std::vector<std::vector<std::string>> test_labels(const std::vector<SetResult>& 
     for (const TestResult& test : set.tests) {
       std::string label;
       for (const Label part : telling_labels) label += (label.empty() ? "" : ", ") + part(test);
-      if (sets.size() > 1) label += test.run->encased() ? ", encased" : ", plain";
+      if (both) label += test.run->encased() ? ", encased" : ", plain";
       ++called[label];
       labels.back().push_back(label);
     }

@@ -70,12 +70,12 @@ std::string own_title(const CaseRun& run)
 
 void read_results(CaseRun& run)
 {
-  const auto found = run.variables.find("sigma3");
-  if (found == run.variables.end() || !(found->second > 0.0))
+  const std::optional<double> sigma3 = run.number("sigma3");
+  if (!sigma3 || !(*sigma3 > 0.0))
     throw InputError("variable 'sigma3' in '" + (run.folder / "case.json").string() +
                      "' must be a stress above zero [Pa], found none, write for example "
                      "\"sigma3\": 50000");
-  run.confining_stress = found->second;
+  run.confining_stress = *sigma3;
   run.title = own_title(run);
   run.history = TextTable(run.folder / "history.csv");
   run.generation_porosity = reported_porosity(run.folder / "gradation.csv");
@@ -99,12 +99,17 @@ std::vector<fs::path> cases_of(const fs::path& folder)
 
 }  // namespace
 
+std::optional<double> CaseRun::number(const std::string& name) const
+{
+  const auto found = variables.find(name);
+  return found == variables.end() ? std::nullopt : std::optional(found->second);
+}
+
 bool CaseRun::column() const
 {
   constexpr double most_of_a_triaxial_specimen = 3.0;  // heights over diameters
-  const auto height = variables.find("height"), radius = variables.find("radius");
-  if (!encased() || height == variables.end() || radius == variables.end()) return false;
-  return height->second > most_of_a_triaxial_specimen * 2.0 * radius->second;
+  const std::optional<double> height = number("height"), radius = number("radius");
+  return encased() && height && radius && *height > most_of_a_triaxial_specimen * 2.0 * *radius;
 }
 
 std::string gradation_name(const fs::path& file)

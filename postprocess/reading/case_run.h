@@ -27,6 +27,8 @@ struct CaseRun {
   TextTable history;        ///< samples of the shear stage
   std::optional<double> generation_porosity;  ///< at full size, as gradation.csv reports it [-]
 
+  /// The deck's variable `name`; nothing if it has none that is a number.
+  std::optional<double> number(const std::string& name) const;
   bool encased() const { return has_sleeve; }
   /// Encased and more slender than a triaxial specimen, which is two diameters high.
   bool column() const;

@@ -11,13 +11,11 @@ namespace {
 /// E t up to the strength: what the sleeve bears beyond it no strip test has shown.
 StripTable straight_line(const CaseRun& run)
 {
-  const auto modulus = run.variables.find("modulus_sleeve"),
-             thickness = run.variables.find("thickness"), strength = run.variables.find("strength");
-  for (const auto& known : {modulus, thickness, strength})
-    if (known == run.variables.end()) return {};
-  const double stiffness = modulus->second * thickness->second;
-  if (!(stiffness > 0.0)) return {};
-  return {{0.0, strength->second / stiffness}, {0.0, strength->second}};
+  const std::optional<double> modulus = run.number("modulus_sleeve"),
+                              thickness = run.number("thickness"),
+                              strength = run.number("strength");
+  if (!modulus || !thickness || !strength || !(*modulus * *thickness > 0.0)) return {};
+  return {{0.0, *strength / (*modulus * *thickness)}, {0.0, *strength}};
 }
 
 }  // namespace

@@ -10,30 +10,41 @@ enum class Needs { nothing, encased, plain, sleeve, spheres, pictures, series };
 
 struct Counterpart {
   std::string study, shows;
-  std::string figure;  ///< what the name of the figure begins with
+  std::vector<std::string> figures;  ///< what the names of those begin with that may stand for it
   Needs needs;
   std::vector<std::string> pictures{};  ///< names of their kinds
 };
 
 const std::vector<Counterpart> counterparts{
-    {"3", "deviatoric stress over axial strain, plain", "deviatoric_stress", Needs::plain},
-    {"7a", "deviatoric stress over axial strain, encased", "deviatoric_stress", Needs::encased},
-    {"7b", "failure lines", "p_q", Needs::series},
-    {"8", "radial strain at three heights", "radial_strain", Needs::sleeve},
+    {"3", "deviatoric stress over axial strain, plain", {"deviatoric_stress"}, Needs::plain},
+    {"7a", "deviatoric stress over axial strain, encased", {"deviatoric_stress"}, Needs::encased},
+    {"7b", "failure lines", {"p_q"}, Needs::series},
+    {"8", "radial strain at three heights", {"radial_strain"}, Needs::sleeve},
     {"9",
      "shape, displacement and shear bands after shear",
-     "",
+     {},
      Needs::pictures,
      {"specimen", "hoop_tension", "shear_band"}},
-    {"11a", "pressure over displacement", "pressure_displacement", Needs::nothing},
-    {"11b", "radial displacement along the height", "radial_profile", Needs::sleeve},
-    {"12", "axial and radial stress along the height", "column_stress", Needs::spheres},
-    {"13", "contact forces and force chains", "contact_force", Needs::spheres, {"force_chains"}},
-    {"14", "porosity over displacement and height", "column_porosity", Needs::spheres},
-    {"15", "coordination number over displacement and height", "column_coordination",
+    {"11a",
+     "pressure over displacement",
+     {"pressure_displacement", "column_pressure"},
+     Needs::nothing},
+    {"11b",
+     "radial displacement along the height",
+     {"radial_profile", "column_profile"},
+     Needs::sleeve},
+    {"12", "axial and radial stress along the height", {"column_stress"}, Needs::spheres},
+    {"13", "contact forces and force chains", {"contact_force"}, Needs::spheres, {"force_chains"}},
+    {"14", "porosity over displacement and height", {"column_porosity"}, Needs::spheres},
+    {"15",
+     "coordination number over displacement and height",
+     {"column_coordination"},
      Needs::spheres},
-    {"16, 18", "pressure over displacement, several columns", "", Needs::series},
-    {"17, 19", "radial displacement at 12 and 24 mm", "radial_expansion", Needs::sleeve},
+    {"16, 18", "pressure over displacement, several columns", {}, Needs::series},
+    {"17, 19",
+     "radial displacement at 12 and 24 mm",
+     {"radial_expansion", "column_expansion"},
+     Needs::sleeve},
 };
 
 std::string reason(Needs needs)
@@ -65,8 +76,8 @@ std::string stands_beside(const Counterpart& row, const TestResult& test,
   if (row.needs == Needs::encased && !test.run->encased()) return reason(row.needs);
   std::string found;
   for (const Figure& figure : figures)
-    if (found.empty() && !row.figure.empty() && figure.name.rfind(row.figure, 0) == 0)
-      found = figure.title;
+    for (const std::string& start : row.figures)
+      if (found.empty() && figure.name.rfind(start, 0) == 0) found = figure.title;
   std::string shown = found.empty() ? "Pictures: " : "; pictures: ";
   for (const Picture& picture : pictures)
     if (std::find(row.pictures.begin(), row.pictures.end(), picture.name) != row.pictures.end()) {

@@ -35,15 +35,14 @@ constexpr double gravity_of_study = 9.8;  // m/s^2, of runs from before it was a
 /// density.
 std::vector<double> weight_stresses(const CaseRun& run)
 {
-  const auto density = run.variables.find("density");
-  if (density == run.variables.end()) return {};
-  const auto known = run.variables.find("gravity");
-  const double gravity = known == run.variables.end() ? gravity_of_study : known->second;
+  const std::optional<double> density = run.number("density");
+  if (!density) return {};
+  const double gravity = run.number("gravity").value_or(gravity_of_study);
   const std::vector<double> porosity = run.history.numbers(history_column::porosity);
   const std::vector<double> height = run.history.numbers(history_column::height);
   std::vector<double> stresses;
   for (std::size_t i = 0; i < height.size(); ++i)
-    stresses.push_back(weight_stress(density->second, gravity, porosity[i], height[i]));
+    stresses.push_back(weight_stress(*density, gravity, porosity[i], height[i]));
   return stresses;
 }
 

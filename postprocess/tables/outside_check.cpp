@@ -41,8 +41,8 @@ std::optional<fs::path> sleeve_at(const fs::path& folder, double time)
 Check outside_check(const CaseRun& run, const std::optional<GrainFile>& grains)
 {
   if (!grains) return not_made("the run left no file of grains");
-  const auto built = run.variables.find("height"), moving = run.variables.find("moving");
-  if (built == run.variables.end() || moving == run.variables.end())
+  const std::optional<double> built = run.number("height"), moving = run.number("moving");
+  if (!built || !moving)
     return not_made("case.json has no height or no moving, which place the platens");
   if (!run.history.has(history_column::step)) return not_made("history.csv has no steps");
 
@@ -52,9 +52,8 @@ Check outside_check(const CaseRun& run, const std::optional<GrainFile>& grains)
   if (row == steps.end()) return not_made("history.csv has no row of the step of its last file");
   const auto at = static_cast<std::size_t>(row - steps.begin());
   const std::vector<double> heights = run.history.numbers(history_column::height);
-  WallPlaces walls{
-      platen_heights(built->second, heights.front(), heights[at], static_cast<int>(moving->second)),
-      {}};
+  WallPlaces walls{platen_heights(*built, heights.front(), heights[at], static_cast<int>(*moving)),
+                   {}};
   if (!run.encased()) walls.radius = run.history.numbers(history_column::radius)[at];
 
   std::vector<std::array<double, 3>> inside;

@@ -7,12 +7,6 @@ namespace encased_column {
 
 namespace {
 
-double number_of(const CaseRun& run, const std::string& name, double without)
-{
-  const auto found = run.variables.find(name);
-  return found == run.variables.end() ? without : found->second;
-}
-
 /// Stress on the platen that is read [Pa].
 std::vector<double> pressure_of(const TestResult& test)
 {
@@ -33,8 +27,8 @@ SpecimenShape specimen_shape(const TestResult& test)
   const double height = initial_height(test);
   const double radius = run.history.numbers(history_column::radius).front();
   constexpr double upper = 1.0;  // platen, as the decks have it where they say nothing
-  return {2.0 * number_of(run, "radius", radius), number_of(run, "height", height), height,
-          static_cast<int>(number_of(run, "moving", upper))};
+  return {2.0 * run.number("radius").value_or(radius), run.number("height").value_or(height),
+          height, static_cast<int>(run.number("moving").value_or(upper))};
 }
 
 TestCondition test_condition(const TestResult& test)

@@ -30,9 +30,8 @@ double mean_at(double strain, const std::vector<double>& strains, const std::vec
 /// shear.
 double initial_radius(const CaseRun& run)
 {
-  const auto found = run.variables.find("radius");
-  return found != run.variables.end() ? found->second
-                                      : run.history.numbers(history_column::radius).front();
+  const std::optional<double> radius = run.number("radius");
+  return radius ? *radius : run.history.numbers(history_column::radius).front();
 }
 
 /// The angle of friction [rad] that the grains of the middle third mobilise, where the history has

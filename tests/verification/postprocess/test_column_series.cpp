@@ -1,0 +1,84 @@
+// Columns of two gradations in one folder, beside the values of the study's own (Table 7,
+// section 4.2).
+#include "closed_form_case.h"
+#include "report/page_parts.h"
+#include "support/child_program.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+using namespace encased_column;
+using namespace encased_column::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A column of S2 or S3 whose lower platen bears 50 kPa and `strength` times 300 kPa.
+void make_column(const fs::path& run, const std::string& gradation, double strength)
+{
+  write_case(run, "encased", true, 1.0, strength);
+  describe_case(run, "encased",
+                R"("sigma3": 50000, "radius": 0.05, "height": 0.5, "relative_density": 0.8,
+"resolution": "quick", "parameters": "study", "gradation": "common/gradation_column_)" +
+                    gradation + ".csv\"");
+}
+
+bool has(const std::string& text, const std::string& pattern)
+{
+  return std::regex_search(text, std::regex(pattern));
+}
+
+std::string beside(const Rows& rows, const std::string& study)
+{
+  for (const auto& row : rows)
+    if (row.front() == study) return row.back();
+  return "no row";
+}
+
+}  // namespace
+
+// 350 and 200 kPa over 228.5 and 239.4 kPa; Table 6 has 0.400 at 80 %.
+TEST(ColumnSeries, StandsBesideTheStudyByGradation)
+{
+  const TemporaryFolder series;
+  make_column(series.path() / "s2", "S2", 1.0);
+  make_column(series.path() / "s3", "S3", 0.5);
+  run_program({ENCASE_COMMAND, "report", "--no-pictures", series.path()}, series.path());
+  const std::string text = read_text(series.path() / "beside_study.txt");
+  EXPECT_TRUE(has(text, "vertical pressure at 24 mm +kPa +S2 .* 228\\.5 +350 +1\\.53")) << text;
+  EXPECT_TRUE(has(text, "vertical pressure at 24 mm +kPa +S3 .* 239\\.4 +200 +0\\.84")) << text;
+  EXPECT_TRUE(has(text, "vertical pressure at 24 mm +kPa +S4 .* 248\\.7 +not run +-")) << text;
+  EXPECT_TRUE(has(text, "maximum radial expansion +mm +S2 at 24 mm .* 1\\.95 +not told +-"))
+      << text;
+  EXPECT_TRUE(has(text, "secant modulus E50 +MPa +sigma3=50 kPa .* not run")) << text;
+  const std::string table = read_text(series.path() / "table.csv");
+  EXPECT_TRUE(has(table, "s2,\"?porosity, of the sample in the laboratory\"?,-,0\\.4000")) << table;
+}
+
+TEST(Counterparts, OfAColumnAreItsOwnFigures)
+{
+  CaseRun run;
+  run.has_sleeve = true;
+  TestResult test;
+  test.run = &run;
+  const std::vector<Figure> figures{{"column_pressure_gradation", "Pressure", "", {}},
+                                    {"column_expansion_gradation", "Expansion", "", {}},
+                                    {"column_profile", "Profile", "", {}}};
+  const Rows rows = counterpart_rows(test, figures, {});
+  EXPECT_EQ(beside(rows, "11a"), "Pressure");
+  EXPECT_EQ(beside(rows, "11b"), "Profile");
+  EXPECT_EQ(beside(rows, "17, 19"), "Expansion");
+  EXPECT_EQ(beside(rows, "3"), "no: this test is encased");
+}
+
+TEST(Counterparts, OfATriaxialTestAreThoseOfItsSpecimen)
+{
+  CaseRun run;
+  run.has_sleeve = true;
+  TestResult test;
+  test.run = &run;
+  const Rows rows = counterpart_rows(test, {{"radial_profile", "Profile", "", {}}}, {});
+  EXPECT_EQ(beside(rows, "11b"), "Profile");
+  EXPECT_EQ(beside(rows, "17, 19"), "no: the run wrote no profile of a sleeve");
+}
