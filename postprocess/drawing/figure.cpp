@@ -99,7 +99,7 @@ std::array<double, 2> range(const Axis& axis, const std::vector<Series>& all,
 }
 
 void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& limits,
-                const Look& look)
+                const Look& look, bool beside_one_another)
 {
   axis->SetTitle(given.title);
   set_font(axis->GetTitleProperties(), look.axis_title);
@@ -115,6 +115,11 @@ void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& l
     const double margin = 1e-9 * (limits[1] - limits[0]);  // lest rounding lose the last label
     axis->SetRange(limits[0] - margin, limits[1] + margin);
   }
+  // Long labels beside one another, as 0.215, run together at the step that VTK takes by itself.
+  constexpr double least_step = 0.02;
+  const double span = limits[1] - limits[0], step = round_step(span, 10);
+  if (beside_one_another && !given.logarithmic && step < least_step)
+    axis->SetNumberOfTicks(1 + static_cast<int>(std::lround(span / step)));
   axis->AutoScale();
 }
 
@@ -149,9 +154,9 @@ void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place, 
   set_font(chart->GetTitleProperties(), title_size(panel.title));
   for (const Series& series : panel.series) add_series(chart, series, panel.y.logarithmic);
   style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x, range(panel.x, panel.series, &Series::x),
-             look);
-  style_axis(chart->GetAxis(vtkAxis::LEFT), panel.y, range(panel.y, panel.series, &Series::y),
-             look);
+             look, true);
+  style_axis(chart->GetAxis(vtkAxis::LEFT), panel.y, range(panel.y, panel.series, &Series::y), look,
+             false);
   if (look.complete) add_legend(chart);
 }
 
