@@ -73,7 +73,7 @@ TEST(Program, ListsEveryStyleWithASentence)
 
 TEST(Program, ExplainsStylesKeywordsColumnsAndVariables)
 {
-  EXPECT_TRUE(encase({"explain", "servo/platen"}).says("\nKeywords:\n  position  "));
+  EXPECT_TRUE(encase({"explain", "servo/platen"}).says("\n  position "));
   EXPECT_TRUE(encase({"explain", "fix", "specimen/history"}).says("\nColumns of history.csv:\n"));
   const Outcome porosity = encase({"explain", "porosity"});
   EXPECT_FALSE(line_of(porosity, "keyword of create_packing  ").empty()) << porosity.output;

@@ -22,7 +22,7 @@ TEST(NearestWords, StandInOrderWithoutThoseThatAreFarAway)
 {
   const std::vector<std::string> known{"porosity", "radius", "radial", "stress", "radius"};
   EXPECT_EQ(nearest_words("raduis", known), (std::vector<std::string>{"radius"}));
-  EXPECT_EQ(nearest_words("radiul", known), (std::vector<std::string>{"radius", "radial"}));
+  EXPECT_EQ(nearest_words("radiul", known), (std::vector<std::string>{"radial", "radius"}));
   EXPECT_TRUE(nearest_words("xyz", known).empty());
 }
 

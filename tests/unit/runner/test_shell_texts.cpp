@@ -78,7 +78,7 @@ TEST_F(ShellTexts, ZshReadsItsCompletion)
   const std::string text = zsh_completion(app_);
   EXPECT_EQ(text.rfind("#compdef encase\n", 0), 0u);
   EXPECT_NE(text.find("'*--fast[it'\\''s quick]'"), std::string::npos) << text;
-  EXPECT_NE(text.find("'*--end[which end]:value:(bottom top)'"), std::string::npos) << text;
+  EXPECT_NE(text.find("'*--end[which end]:value:(top bottom)'"), std::string::npos) << text;
   EXPECT_NE(text.find("'run:Runs it\\: \\[all\\]'"), std::string::npos) << text;
   const TemporaryFolder folder;
   if (run_program({"sh", "-c", "command -v zsh"}, "/").exit_code != 0) GTEST_SKIP() << "no zsh";

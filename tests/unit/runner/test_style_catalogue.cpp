@@ -59,8 +59,8 @@ TEST(StyleCatalogue, FindsAWordAsKeywordAndAsColumn)
 {
   const std::vector<StyleText> styles = read_styles(printed, pages);
   EXPECT_EQ(uses_of(styles, "z"),
-            "keyword of fix servo/platen                  2 values  [m]  of its level\n"
-            "column of spheres.csv, fix measure/sphere              [m]  of its center\n");
+            "keyword of fix servo/platen                2 values  [m]  of its level\n"
+            "column of spheres.csv, fix measure/sphere            [m]  of its center\n");
   EXPECT_EQ(uses_of(styles, "zz"), "");
   EXPECT_EQ(words_of(styles),
             (std::vector<std::string>{"fix servo/platen", "servo/platen", "position", "z",
