@@ -1,4 +1,5 @@
 #include "host/fix_stop_request.h"
+#include "host/lone_rank.h"
 #include "plugin_entry.h"
 #include "style_table.h"
 
@@ -59,7 +60,7 @@ void tell_if_stopped(LAMMPS_NS::LAMMPS& lammps)
 int main(int argc, char** argv)
 {
   install_stop_handlers();  // a signal may come while MPI begins
-  MPI_Init(&argc, &argv);
+  begin_mpi(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
 
