@@ -1,0 +1,70 @@
+// What reads and follows the tutorials must see a step that fails; the shorter tutorials are
+// followed here.
+#include "support/child_program.h"
+#include "support/tutorial.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace encased_column::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What goes wrong on a page of this text.
+std::string problem_of(const std::string& text)
+{
+  const TemporaryFolder home;
+  const fs::path page = home.path() / "page.md";
+  std::ofstream(page) << text;
+  return follow(read_steps(page), home.path(), home.path());
+}
+
+bool has(const std::string& text, const std::string& words)
+{
+  return text.find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST(TutorialSteps, WriteFilesAndGoOnInTheFolderAndWithTheVariablesOfTheLast)
+{
+  EXPECT_EQ(
+      problem_of("# A\n```sh\nexport WORD=\"two words\"\nmkdir deep\ncd deep\n```\n"
+                 "```csv file=a.csv\n1,2\n```\n```csv file=a.csv\n3\n```\n"
+                 "```sh\ncat a.csv; echo $WORD; basename $PWD\ncat ../deep/a.csv | wc -l\n```\n"
+                 "```output\n1,2\n3\ntwo...rds\ndeep\n2\n```\n"),
+      "");
+}
+
+TEST(TutorialSteps, ThatFailAreFoundWithTheirLine)
+{
+  EXPECT_TRUE(has(problem_of("# A\n```sh\ntrue\nfalse\ntrue\n```\n"), "line 2: exit code 1"));
+  EXPECT_TRUE(has(problem_of("# A\n```sh\nno_such_program | cat\n```\n"), "line 2: exit code 127"));
+  EXPECT_TRUE(has(problem_of("```sh\necho b; echo a\n```\n```output\na\nb\n```\n"),
+                  "line 4: 'b' is not in its place"));
+  EXPECT_THROW(problem_of("```sh\necho a\n"), std::runtime_error);
+}
+
+TEST(TutorialSteps, AreLeftOutWhereSomethingIsMissingOrByHand)
+{
+  EXPECT_EQ(problem_of("```sh needs=no_such_program\nfalse\n```\n```output\nnever\n```\n"
+                       "```sh by_hand\nfalse\n```\n```output\nnever\n```\n"),
+            "");
+  EXPECT_NE(problem_of("```sh needs=bash\nfalse\n```\n"), "");
+}
+
+TEST(TutorialSteps, OfASectionAreThoseUnderItsHeading)
+{
+  const TemporaryFolder folder;
+  const fs::path page = folder.path() / "page.md";
+  std::ofstream(page) << "# A\n```sh\na\n```\n## B\n```sh\n# c\n```\n### C\n```sh\nd\n```\n## E\n"
+                         "```sh\ne\n```\n";
+  const auto steps = read_steps(page, "B");
+  ASSERT_EQ(steps.size(), 2u);
+  EXPECT_EQ(steps[0].text, "# c\n");
+  EXPECT_EQ(steps[1].text, "d\n");
+  EXPECT_EQ(read_steps(page).size(), 4u);
+  EXPECT_THROW(read_steps(page, "D"), std::runtime_error);
+}
