@@ -38,6 +38,16 @@ TEST(TutorialSteps, WriteFilesAndGoOnInTheFolderAndWithTheVariablesOfTheLast)
       "");
 }
 
+TEST(TutorialSteps, ChangeLinesOfAnotherFile)
+{
+  const std::string old = "# A\n```text file=old\na\nb\nc\n```\n";
+  EXPECT_EQ(problem_of(old + "```diff file=new from=old\n-b\n-a\n+d\n+e\n```\n```sh\ncat new\n```\n"
+                             "```output\nd\ne\nc\n```\n"),
+            "");
+  EXPECT_TRUE(has(problem_of(old + "```diff file=new from=old\n-f\n```\n"),
+                  "line 7: there is no line 'f'"));
+}
+
 TEST(TutorialSteps, ThatFailAreFoundWithTheirLine)
 {
   EXPECT_TRUE(has(problem_of("# A\n```sh\ntrue\nfalse\ntrue\n```\n"), "line 2: exit code 1"));

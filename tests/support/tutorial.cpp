@@ -2,6 +2,7 @@
 
 #include "support/child_program.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -98,6 +99,35 @@ std::string end_of(const std::string& text)
   return text.size() > 3000 ? "..." + text.substr(text.size() - 3000) : text;
 }
 
+std::vector<std::string> lines_in(const std::string& text)
+{
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// `old` with a block of `changes`. Throws std::runtime_error for a line that is not there.
+std::string changed(const std::string& old, const std::string& changes)
+{
+  std::vector<std::string> lines = lines_in(old);
+  auto place = lines.begin();
+  for (const std::string& change : lines_in(changes)) {
+    if (change.empty()) continue;
+    const std::string line = change.substr(1);
+    if (change.front() == '+') {
+      place = lines.insert(place, line) + 1;
+      continue;
+    }
+    place = std::find(lines.begin(), lines.end(), line);
+    if (place == lines.end()) throw std::runtime_error("there is no line '" + line + "'");
+    place = lines.erase(place);
+  }
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
 }  // namespace
 
 bool is_like(const std::string& line, const std::string& pattern)
@@ -171,7 +201,14 @@ std::string follow(const std::vector<TutorialStep>& steps, const fs::path& home,
     if (name != step.words.end()) {
       const fs::path file = shell.folder() / name->second;
       std::ofstream stream(file, begun[file] ? std::ios::app : std::ios::trunc);
-      stream << step.text;
+      const auto old = step.words.find("from");
+      try {
+        stream << (old == step.words.end()
+                       ? step.text
+                       : changed(read_text(shell.folder() / old->second), step.text));
+      } catch (const std::runtime_error& problem) {
+        return where + problem.what();
+      }
       begun[file] = true;
       if (!stream.flush()) return where + "cannot write " + file.string();
     } else if (step.kind == "sh") {

@@ -13,6 +13,8 @@ namespace encased_column::testing {
 ///   sh               commands of a shell, which goes on from block to block
 ///   sh by_hand       the same, but too long for a test: not run
 ///   ANY file=NAME    text of a file, behind what blocks before have put into it
+///   diff file=NAME from=OLD   the text of OLD without the lines that begin with -, each of which
+///                    must stand there, and with those that begin with + in place of the last one
 ///   output           lines that the commands before it print, in this order; ... is any text
 ///
 /// With `needs=NAME` a block is left out, and the output behind it, where neither a program nor a
