@@ -1,16 +1,20 @@
 // What reads and follows the tutorials must see a step that fails; the shorter tutorials are
 // followed here.
 #include "support/child_program.h"
+#include "support/csv_table.h"
 #include "support/tutorial.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 using namespace encased_column::testing;
 namespace fs = std::filesystem;
 
 namespace {
+
+const fs::path tutorials = fs::path(ENCASE_SOURCE) / "input_scripts/tutorials";
 
 /// What goes wrong on a page of this text.
 std::string problem_of(const std::string& text)
@@ -77,4 +81,28 @@ TEST(TutorialSteps, OfASectionAreThoseUnderItsHeading)
   EXPECT_EQ(steps[1].text, "d\n");
   EXPECT_EQ(read_steps(page).size(), 4u);
   EXPECT_THROW(read_steps(page, "D"), std::runtime_error);
+}
+
+// The history of the deck is held against what the page says in words: 100 kPa around, 2e-6 m per
+// step over 5 000 steps of a specimen near 200 mm, a sleeve free of stress at its start.
+TEST(Tutorials, BuildADeckOfOnesOwnFromAnEmptyFile)
+{
+  const TemporaryFolder home;
+  ASSERT_EQ(follow(read_steps(tutorials / "own_deck.md"), home.path(), clone_in(home.path())), "");
+  const CsvTable history(home.path() / "column/history.csv");
+  const auto last = [&](const std::string& name) { return history.column(name).back(); };
+  EXPECT_EQ(history.rows(), 101u);
+  const double height = history.column("height [m]").front();
+  EXPECT_NEAR(height, 0.200, 0.002);
+  EXPECT_NEAR(height - last("height [m]"), 5000 * 2e-6, 1e-9);
+  EXPECT_NEAR(last("confining_stress [Pa]"), 100e3, 1.0);
+  EXPECT_NEAR(history.column("deviatoric_stress_top [Pa]").front(), 0.0, 5e3);
+  // The platens agree as the sleeve is symmetric, and the ends slide.
+  EXPECT_NEAR(last("stress_top [Pa]") / last("stress_bottom [Pa]"), 1.0, 0.05);
+  EXPECT_LT(std::abs(last("energy_error [-]")), 0.01);
+  const CsvTable sleeve(home.path() / "column/sleeve.csv");
+  // J = 120 kN/m: tension is no more than that times the strain.
+  EXPECT_LE(sleeve.column("hoop_tension_mean [N/m]").back(),
+            120e3 * sleeve.column("hoop_strain_mean [-]").back() / (1.0 - 0.3 * 0.3));
+  EXPECT_GT(sleeve.column("hoop_tension_mean [N/m]").back(), 500.0);
 }
