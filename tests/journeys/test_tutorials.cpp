@@ -2,12 +2,15 @@
 // followed here.
 #include "support/child_program.h"
 #include "support/csv_table.h"
+#include "support/run_command.h"
 #include "support/tutorial.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 using namespace encased_column::testing;
 namespace fs = std::filesystem;
@@ -28,6 +31,28 @@ std::string problem_of(const std::string& text)
 bool has(const std::string& text, const std::string& words)
 {
   return text.find(words) != std::string::npos;
+}
+
+/// The rows "| `a` | `b` |..." of a page, as pairs.
+std::vector<std::pair<std::string, std::string>> pairs_on(const fs::path& page)
+{
+  std::vector<std::pair<std::string, std::string>> pairs;
+  std::istringstream stream(read_text(page));
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t bar = line.find("` | `");
+    if (line.rfind("| `", 0) != 0 || bar == std::string::npos) continue;
+    pairs.emplace_back(line.substr(3, bar - 3),
+                       line.substr(bar + 5, line.find('`', bar + 5) - bar - 5));
+  }
+  return pairs;
+}
+
+/// The text of the first VTK file of a series in `folder`.
+std::string first_picture(const fs::path& folder)
+{
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".vtp") return read_text(entry.path());
+  return "";
 }
 
 }  // namespace
@@ -105,4 +130,41 @@ TEST(Tutorials, BuildADeckOfOnesOwnFromAnEmptyFile)
   EXPECT_LE(sleeve.column("hoop_tension_mean [N/m]").back(),
             120e3 * sleeve.column("hoop_strain_mean [-]").back() / (1.0 - 0.3 * 0.3));
   EXPECT_GT(sleeve.column("hoop_tension_mean [N/m]").back(), 500.0);
+}
+
+TEST(Tutorials, ReadARun)
+{
+  const TemporaryFolder home;
+  const fs::path clone = clone_in(home.path()), page = tutorials / "reading_a_run.md";
+  prepare_small_cases(home.path());
+  const Outcome outcome =
+      RunningCommand(home.path(), "out", {"--case", "encased", "--ranks", "1"}).end();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const fs::path run = clone / "runs/default/encased_050";
+  fs::create_directories(run.parent_path());
+  fs::rename(home.path() / "out/encased", run);
+  ASSERT_EQ(follow(read_steps(page), home.path(), clone), "");
+
+  int columns = 0, arrays = 0;
+  for (const auto& [where, name] : pairs_on(page)) {
+    if (fs::path(where).extension() == ".csv") {
+      ++columns;
+      EXPECT_NO_THROW(CsvTable(run / where).column(name)) << name << " of " << where;
+    } else {
+      ++arrays;
+      EXPECT_TRUE(has(first_picture(run / where), "Name=\"" + name + "\""))
+          << name << " of " << where;
+    }
+  }
+  EXPECT_GE(columns, 14);
+  EXPECT_GE(arrays, 8);
+
+  const Outcome peak = run_program({"python3", "curve.py"}, run);
+  if (peak.exit_code == 127) GTEST_SKIP() << "found no python3";
+  const std::vector<double> q =
+      CsvTable(run / "history.csv").column("deviatoric_stress_bottom [Pa]");
+  char words[80];
+  std::snprintf(words, sizeof words, "peak q %.1f kPa",
+                *std::max_element(q.begin(), q.end()) / 1e3);
+  EXPECT_TRUE(peak.says(words)) << words << " not in " << peak.output;
 }
