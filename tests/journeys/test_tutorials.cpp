@@ -168,3 +168,24 @@ TEST(Tutorials, ReadARun)
                 *std::max_element(q.begin(), q.end()) / 1e3);
   EXPECT_TRUE(peak.says(words)) << words << " not in " << peak.output;
 }
+
+TEST(Tutorials, AddATestOfOnesOwnToASeries)
+{
+  const TemporaryFolder home;
+  const fs::path page = fs::path(ENCASE_SOURCE) / "input_scripts/README.md";
+  const auto steps = read_steps(page, "Adding a test of your own");
+  clone_in(home.path());
+  setenv("PATH", (fs::path(ENCASE_COMMAND).parent_path().string() + ":" + getenv("PATH")).c_str(),
+         1);
+  ASSERT_EQ(follow(steps, home.path(), home.path()), "");
+  long lines = 0;
+  for (const TutorialStep& step : steps)
+    if (step.words.count("file") || step.kind == "sh")
+      lines += std::count(step.text.begin(), step.text.end(), '\n');
+  EXPECT_LE(lines, 10);
+  for (const std::string id : {"short", "stiff"}) {
+    const CsvTable history(home.path() / "runs/mine" / id / "history.csv");
+    EXPECT_NEAR(history.column("height [m]").front(), 0.06, 0.002) << id;
+    EXPECT_NEAR(history.column("confining_stress [Pa]").back(), 75e3, 75.0) << id;
+  }
+}
