@@ -55,11 +55,13 @@ double measure_machine(const Places& places, int at_once)
     const fs::path log = folder.path() / "log";
     const auto found =
         fs::exists(log) ? seconds_per_grain_step(read_text_file(log, "a log")) : std::nullopt;
-    if (!found)
+    if (!found) {
+      const std::string words = last_words_of(log, folder.path() / "screen");
       throw InputError("'" + deck.string() +
-                       "' must run to its end to measure this machine, found that it does not, "
-                       "mend what it said last\n" +
-                       last_words_of(log, folder.path() / "screen"));
+                       "' must run to its end to measure this machine, found that it does not" +
+                       (words.empty() ? ", run '" + places.host.string() + "' to see why"
+                                      : ", mend what it said last\n" + words));
+    }
     sum += *found;
   }
   return sum / at_once;
