@@ -1,5 +1,6 @@
 #include "core/program_options.h"
 #include "host/fix_stop_request.h"
+#include "host/lone_rank.h"
 #include "plugin_entry.h"
 #include "style_table.h"
 
@@ -76,7 +77,7 @@ int main(int argc, char** argv)
     return 0;
   }
   install_stop_handlers();  // a signal may come while MPI begins
-  MPI_Init(&argc, &argv);
+  begin_mpi(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
 

@@ -7,7 +7,7 @@
 #include "runner/dry_run.h"
 #include "runner/processes.h"
 #include "runner/run_command.h"
-#include "runner/scratch_folder.h"
+#include "runner/passing_folder.h"
 #include "runner/text_file.h"
 
 #include <unistd.h>
@@ -29,7 +29,7 @@ namespace {
 /// Runs `words` for at most `seconds`.
 Trial trial_of(const std::vector<std::string>& words, double seconds)
 {
-  const ScratchFolder folder("encase_doctor");
+  const PassingFolder folder("the check of this machine works");
   const fs::path screen = folder.path() / "screen";
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
@@ -94,7 +94,7 @@ int doctor_command(const Places& places)
       judge_programs(trial_of({places.host, "-version"}, patience), places.host.string()));
   if (findings.front().verdict == Finding::Verdict::good) {
     set_up_open_mpi(ranks > cores);
-    const ScratchFolder input("encase_doctor");
+    const PassingFolder input("the check of this machine works");
     write_text_file(input.path() / "in.lmp", "print done\n");
     findings.push_back(
         judge_mpi(trial_of({"mpirun", "-np", std::to_string(ranks), "--oversubscribe", "--bind-to",

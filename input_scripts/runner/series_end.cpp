@@ -19,7 +19,7 @@ bool make_report(const Places& places, const RunOptions& options, const fs::path
   std::vector<std::string> words{places.program, "report", "--brief"};
   if (options.no_pictures) words.push_back("--no-pictures");
   words.push_back(series);
-  const pid_t pid = start_program({words, "", "", true, -1});
+  const pid_t pid = start_program({words, "", "", true, -1, ""});
   int code = 0;
   while (!has_ended(pid, code)) {
     if (!signals.wait(0.2)) continue;

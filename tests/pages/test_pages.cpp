@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 using namespace encased_column::testing;
 namespace fs = std::filesystem;
@@ -96,6 +97,9 @@ std::string name_of(const fs::path& page)
 
 class Page : public ::testing::TestWithParam<fs::path> {};
 
+/// A page and the number of ranks its examples run on.
+class PageOnRanks : public ::testing::TestWithParam<std::tuple<fs::path, int>> {};
+
 }  // namespace
 
 TEST_P(Page, ListsTheKeywordsAndColumnsOfTheProgram)
@@ -110,19 +114,27 @@ TEST_P(Page, ListsTheKeywordsAndColumnsOfTheProgram)
   }
 }
 
-TEST_P(Page, HasExamplesThatRunAndMistakesThatAreRefused)
+TEST_P(PageOnRanks, HasExamplesThatRunAndMistakesThatAreRefused)
 {
-  for (const Example& example : read_page(GetParam()).examples)
-    for (const int ranks : {1, 2, 4}) {
-      if (ranks == 4 && example.must_fail) continue;
-      SCOPED_TRACE(GetParam().string() + ":" + std::to_string(example.line) + " on " +
-                   std::to_string(ranks) + " ranks");
-      check_example(example, ranks);
-    }
+  const auto& [page, ranks] = GetParam();
+  for (const Example& example : read_page(page).examples) {
+    if (ranks == 4 && example.must_fail) continue;
+    SCOPED_TRACE(page.string() + ":" + std::to_string(example.line) + " on " +
+                 std::to_string(ranks) + " ranks");
+    check_example(example, ranks);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Pages, Page, ::testing::ValuesIn(all_pages()),
                          [](const auto& page) { return name_of(page.param); });
+
+INSTANTIATE_TEST_SUITE_P(Pages, PageOnRanks,
+                         ::testing::Combine(::testing::ValuesIn(all_pages()),
+                                            ::testing::Values(1, 2, 4)),
+                         [](const auto& page) {
+                           return name_of(std::get<0>(page.param)) + "_on_" +
+                                  std::to_string(std::get<1>(page.param));
+                         });
 
 TEST(Pages, ThereIsOneForEveryStyle)
 {
