@@ -5,9 +5,9 @@
 #include "runner/case_shape.h"
 #include "runner/doctor.h"
 #include "runner/dry_run.h"
+#include "runner/passing_folder.h"
 #include "runner/processes.h"
 #include "runner/run_command.h"
-#include "runner/passing_folder.h"
 #include "runner/text_file.h"
 
 #include <unistd.h>
