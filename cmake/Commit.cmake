@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-only
 cmake_minimum_required(VERSION 3.25)
 # Writes HEADER with the commit of SOURCE; run as a script whenever that has changed.
 execute_process(COMMAND git -C ${SOURCE} rev-parse --short HEAD

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-only
 # What is installed beside programs and decks, and the Debian package: `cpack -B FOLDER` in the build folder makes
 # encased-columns_VERSION_ARCHITECTURE.deb of what was built.
 set(documents ${CMAKE_INSTALL_DATADIR}/doc/encased-columns)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-only
 # read_page_starts(OUT PAGE...): for each user page of a style (it has the heading "Syntax") a row of C++ with its title, the
 # first sentence below it, and its file below src_plugin.
 function(read_page_starts out)

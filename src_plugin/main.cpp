@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "core/program_options.h"
 #include "host/fix_stop_request.h"
 #include "host/lone_rank.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/announcement.h"
 
 #include "runner/time_left.h"

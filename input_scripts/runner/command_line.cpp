@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/command_line.h"
 
 #include "runner/nearest_words.h"

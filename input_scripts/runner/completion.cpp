@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/completion.h"
 
 #include "runner/visible_commands.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/doctor.h"
 
 #include "runner/aligned_text.h"

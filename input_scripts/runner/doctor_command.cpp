@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/doctor_command.h"
 
 #include "drawing/display.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The program `encase`: what a user types. Each subcommand reads its options here and does its work
 // elsewhere.
 #include "core/input_error.h"

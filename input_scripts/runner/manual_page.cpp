@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/manual_page.h"
 
 #include "core/program_options.h"

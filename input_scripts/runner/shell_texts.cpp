@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/shell_texts.h"
 
 #include "runner/completion.h"

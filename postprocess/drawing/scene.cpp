@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/scene.h"
 
 #include "core/constants.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "report/page_parts.h"
 
 #include "page_templates.h"

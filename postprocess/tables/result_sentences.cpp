@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "tables/result_sentences.h"
 
 #include "core/input_error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The decks of the study refuse variables out of range before their first step, and the command
 // `require`, by which they do, refuses rules that are none.
 #include "input_errors/refusal.h"

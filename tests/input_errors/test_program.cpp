@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The program `encase` tells what it is, what it knows, and what the machine lacks; a wrong word is
 // answered with one sentence.
 #include "support/child_program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // `encase run` refuses bad options with one sentence before it runs anything.
 #include "support/child_program.h"
 

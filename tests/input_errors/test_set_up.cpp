@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The command input_scripts/set_up says what it does, and only when it does it: tried on a small
 // project. And CMake looks for LIGGGHTS where it is told to.
 #include "support/child_program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A user of LIGGGHTS takes a deck of their own over, one change at a time: the steps are those of
 // the tutorial, which say what each deck must print.
 #include "support/child_program.h"

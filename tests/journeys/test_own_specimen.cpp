@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A user takes own gravel, geotextile and cell to two tests, in a folder of their own with the
 // installed program: the steps are those of the tutorial, what comes out is looked at here.
 #include "runner/case_record.h"

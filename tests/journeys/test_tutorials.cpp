@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // What reads and follows the tutorials must see a step that fails; the shorter tutorials are
 // followed here.
 #include "support/child_program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Every page of the source tree can be followed: its links and pictures are there. The first page
 // stays short and begins with what a newcomer needs.
 #include "pages/markdown_links.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Every user page src_plugin/*/*.md tells the truth: its keywords are those of the program, its
 // examples run and print what it says, on any number of ranks, and its mistakes are refused as it
 // says.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The same deck on 1, 2 and 4 ranks.
 #include "restart/specimen_deck.h"
 #include "support/csv_table.h"

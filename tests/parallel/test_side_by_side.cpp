@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Programs started alone, many of them at the same time.
 #include "support/child_program.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // What is said before cases run: how much, how long here, where to.
 #include "runner/announcement.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // What `encase doctor` makes of what it finds: one sentence each, and what to do.
 #include "runner/doctor.h"
 

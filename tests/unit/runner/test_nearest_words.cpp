@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A wrong word is answered with those it may have been meant for.
 #include "runner/nearest_words.h"
 

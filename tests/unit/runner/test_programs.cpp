@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Programs that run at the same time do not come into each other's way.
 #include "core/input_error.h"
 #include "runner/machine_speed.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Pages of `man` and completions of shells come from the options of a command line; bash itself is
 // asked what it makes of them.
 #include "runner/completion.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // What the plugin says of its styles, for the terminal.
 #include "runner/style_catalogue.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The geotextile as a material: strips, wrinkles, yield and tear against closed forms.
 #include "shell/cloth.h"
 

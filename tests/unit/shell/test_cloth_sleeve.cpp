@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Tubes and strips of a geotextile that yields and tears, as meshes.
 #include "core/constants.h"
 #include "shell/cylinder_mesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/merged_contact.h"
 
 #include "sleeve_cases.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Columns of two gradations in one folder, beside the values of the study's own (Table 7,
 // section 4.2).
 #include "closed_form_case.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // 3-D pictures of grains and contacts that are known: a column of two halves, and three bars in it.
 #include "closed_form_case.h"
 #include "files/pvd_collection.h"

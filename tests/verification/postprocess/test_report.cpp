@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The reports of a plain and an encased test of some hundred grains, opened in a browser.
 #include "browser.h"
 #include "support/child_program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The three sentences at the end of a run, from histories in closed form and a table of published
 // values written here.
 #include "closed_form_case.h"
