@@ -7,6 +7,7 @@
 #include "drawing/scene.h"
 #include "report/pages.h"
 #include "tables/check_table.h"
+#include "tables/result_sentences.h"
 #include "tables/result_table.h"
 #include "tables/set_comparison.h"
 #include "tables/target_table.h"
@@ -56,7 +57,8 @@ void write_tables(const ReportOptions& settings, const std::vector<SetResult>& s
   if (!theory.empty()) write_text(settings.output / "theory.csv", theory);
   write_text(settings.output / "checks.csv", check_csv(sets));
   write_text(settings.output / "checks.txt", checks);
-  std::cout << table << '\n' << checks << std::flush;
+  write_text(settings.output / "summary.txt", result_sentences(sets, targets));
+  if (!settings.brief) std::cout << table << '\n' << checks << std::flush;
 }
 
 void draw_pictures(const ReportOptions& settings, const std::vector<SetResult>& sets,
@@ -73,7 +75,7 @@ void draw_pictures(const ReportOptions& settings, const std::vector<SetResult>& 
   draw_figures(folder, column_series_figures(sets, targets));
   draw_figures(folder, column_figures(sets, targets));
   draw_run_pictures(folder, sets);
-  std::cout << "\nPictures: " << folder.string() << '\n';
+  if (!settings.brief) std::cout << "\nPictures: " << folder.string() << '\n';
 }
 
 /// One page beside the results of all, one in each case folder.
@@ -89,7 +91,8 @@ void write_reports(const ReportOptions& settings, const std::vector<SetResult>& 
       } catch (const InputError& problem) {  // of a run in a folder for reading only
         std::cerr << "note: no report of '" << test.run->id << "': " << problem.what() << '\n';
       }
-  std::cout << "Report:   " << report.string() << ", and one in the folder of each case\n";
+  if (!settings.brief)
+    std::cout << "Report:   " << report.string() << ", and one in the folder of each case\n";
 }
 
 constexpr int check_missed = 3;  // exit code
@@ -108,12 +111,16 @@ int run(const ReportOptions& settings, std::vector<std::string> arguments)
   }
   const CheckCount count = count_checks(sets);
   const int code = settings.strict && count.failed > 0 ? check_missed : 0;
-  if (settings.no_pictures) return code;
+  if (settings.no_pictures) {
+    if (settings.brief) std::cout << result_sentences(sets, targets);
+    return code;
+  }
   arguments.emplace_back("--pictures-only");
   provide_display(arguments);
   draw_pictures(settings, sets, targets);
   write_reports(settings, sets, targets, found.left_out);
-  std::cout << count.sentence() << '\n';  // again, as many lines came in between
+  // The checks again, as many lines came in between.
+  std::cout << (settings.brief ? result_sentences(sets, targets) : count.sentence() + '\n');
   return code;
 }
 
@@ -140,6 +147,8 @@ void add_report_options(CLI::App& command, ReportOptions& options)
                   "platen that q is read from [plain: mean, encased: bottom]")
       ->check(CLI::IsMember({"top", "bottom", "mean"}));
   command.add_flag("--no-pictures", options.no_pictures, "tables only");
+  command.add_flag("--brief", options.brief,
+                   "three sentences on the screen instead of the tables, which stay in files");
   command.add_flag("--draft", options.draft,
                    "3-D pictures with ragged edges, in a third of the time");
   command.add_flag("--strict", options.strict,

@@ -20,6 +20,7 @@ struct ReportOptions {
   bool no_pictures = false;
   bool draft = false;
   bool strict = false;
+  bool brief = false;          ///< the screen gets three sentences, tables go to files alone
   bool pictures_only = false;  ///< set when started again under a virtual display
 };
 

@@ -51,7 +51,8 @@ CaseProcess::CaseProcess(const CaseFolder& folder, const std::vector<std::string
       host_(host),
       lock_(std::move(lock))
 {
-  pid_ = start_program({command, folder.path(), folder.path() / "output.txt", true, lock_.file()});
+  pid_ = start_program(
+      {command, folder.path(), folder.path() / "output.txt", true, lock_.file(), open_mpi_.path()});
   lock_.note(pid_);
 }
 

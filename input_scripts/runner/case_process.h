@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runner/case_folder.h"
+#include "runner/passing_folder.h"
 #include "runner/processes.h"
 
 #include <sys/types.h>
@@ -55,6 +56,7 @@ class CaseProcess {
   const CaseFolder* folder_;
   std::filesystem::path host_;
   FolderLock lock_;
+  PassingFolder open_mpi_{"Open MPI works"};
   pid_t pid_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   std::set<Process> asked_;

@@ -29,6 +29,9 @@ std::string dry_run_table(const std::vector<ExpectedCase>& cases, const Schedule
 std::string in_thousands(double number);
 std::string in_bytes(double bytes);
 
+/// What the disk has left where `folder` is or would be made.
+double free_bytes_of(std::filesystem::path folder);
+
 /// `encase run --dry-run`: looks, measures the machine, and prints that table.
 int dry_run(const Places& places, const std::vector<CasePlan>& plans, const RunOptions& options,
             const std::filesystem::path& series, int cores);

@@ -10,4 +10,8 @@ namespace encased_column {
 /// InputError if xvfb-run is not installed. Returns at once where there is a display.
 void provide_display(const std::vector<std::string>& arguments);
 
+/// Why no picture can be drawn here, in one sentence; empty if one can. Takes some seconds where
+/// xvfb-run makes the display.
+std::string display_problem();
+
 }  // namespace encased_column

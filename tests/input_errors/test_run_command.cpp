@@ -97,7 +97,7 @@ TEST(RunCommand, ListsFilesToReadByTheirPathInTheProject)
 
 TEST(RunCommand, RefusesAnUnknownOption)
 {
-  expect_refused({"--resolutoin", "quick"}, "unknown option '--resolutoin', see --help");
+  expect_refused({"--resolutoin", "quick"}, "unknown option '--resolutoin', nearest is '--resolution', see --help");
 }
 
 TEST(RunCommand, RefusesAnOptionWithoutItsValue)

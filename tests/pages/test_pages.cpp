@@ -12,6 +12,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <tuple>
 
 using namespace encased_column::testing;
 namespace fs = std::filesystem;
@@ -132,6 +133,9 @@ std::string default_in(const std::string& meaning)
 
 class Page : public ::testing::TestWithParam<fs::path> {};
 
+/// A page and the number of ranks its examples run on.
+class PageOnRanks : public ::testing::TestWithParam<std::tuple<fs::path, int>> {};
+
 }  // namespace
 
 TEST_P(Page, ListsTheKeywordsAndColumnsOfTheProgram)
@@ -146,15 +150,15 @@ TEST_P(Page, ListsTheKeywordsAndColumnsOfTheProgram)
   }
 }
 
-TEST_P(Page, HasExamplesThatRunAndMistakesThatAreRefused)
+TEST_P(PageOnRanks, HasExamplesThatRunAndMistakesThatAreRefused)
 {
-  for (const Example& example : read_page(GetParam()).examples)
-    for (const int ranks : {1, 2, 4}) {
-      if (ranks == 4 && example.must_fail) continue;
-      SCOPED_TRACE(GetParam().string() + ":" + std::to_string(example.line) + " on " +
-                   std::to_string(ranks) + " ranks");
-      check_example(example, ranks);
-    }
+  const auto& [page, ranks] = GetParam();
+  for (const Example& example : read_page(page).examples) {
+    if (ranks == 4 && example.must_fail) continue;
+    SCOPED_TRACE(page.string() + ":" + std::to_string(example.line) + " on " +
+                 std::to_string(ranks) + " ranks");
+    check_example(example, ranks);
+  }
 }
 
 TEST_P(Page, HasTheSectionsThatReadersOfLammpsLookFor)
@@ -198,6 +202,14 @@ TEST_P(Page, GivesTheDefaultOfEachKeyword)
 
 INSTANTIATE_TEST_SUITE_P(Pages, Page, ::testing::ValuesIn(all_pages()),
                          [](const auto& page) { return name_of(page.param); });
+
+INSTANTIATE_TEST_SUITE_P(Pages, PageOnRanks,
+                         ::testing::Combine(::testing::ValuesIn(all_pages()),
+                                            ::testing::Values(1, 2, 4)),
+                         [](const auto& page) {
+                           return name_of(std::get<0>(page.param)) + "_on_" +
+                                  std::to_string(std::get<1>(page.param));
+                         });
 
 TEST(Pages, ThereIsOneForEveryStyle)
 {
