@@ -4,6 +4,7 @@
 #include "core/input_error.h"
 #include "drawing/display.h"
 #include "drawing/figures.h"
+#include "drawing/parallel_tasks.h"
 #include "drawing/pictures.h"
 #include "drawing/scene.h"
 #include "report/pages.h"
@@ -19,6 +20,7 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <optional>
 
@@ -62,20 +64,26 @@ void write_tables(const ReportOptions& settings, const std::vector<SetResult>& s
   if (!settings.brief) std::cout << table << '\n' << checks << std::flush;
 }
 
+using Tasks = std::vector<std::function<void()>>;
+
 void draw_pictures(const ReportOptions& settings, const std::vector<SetResult>& sets,
                    const Targets& targets)
 {
   if (settings.draft) draw_drafts();
   const fs::path folder = settings.output / "figures";
   create_folder(folder);
-  draw_figures(folder, triaxial_figures(sets, targets));
-  draw_figures(folder, load_figures(sets, targets));
-  draw_figures(folder, {check_figure(sets)});
-  draw_figures(folder, energy_figures(sets));
-  draw_figures(folder, sleeve_figures(sets, targets));
-  draw_figures(folder, column_series_figures(sets, targets));
-  draw_figures(folder, column_figures(sets, targets));
-  draw_run_pictures(folder, sets);
+  Tasks tasks = run_picture_tasks(folder, sets);  // longest first
+  for (const std::vector<Figure>& figures : {agreement_figures(sets, targets),
+                                             triaxial_figures(sets, targets),
+                                             load_figures(sets, targets),
+                                             {check_figure(sets)},
+                                             energy_figures(sets),
+                                             sleeve_figures(sets, targets),
+                                             column_series_figures(sets, targets),
+                                             column_figures(sets, targets)})
+    for (const Figure& figure : figures)
+      tasks.emplace_back([folder, figure] { draw_figures(folder, {figure}); });
+  do_in_processes(tasks, drawing_processes());
   if (!settings.brief) std::cout << "\nPictures: " << folder.string() << '\n';
 }
 
@@ -84,14 +92,18 @@ void write_reports(const ReportOptions& settings, const std::vector<SetResult>& 
                    const Targets& targets, const std::vector<std::string>& left_out)
 {
   const fs::path report = settings.output / "report.html";
-  write_text(report, series_page(sets, targets, settings.output, left_out));
+  Tasks tasks{[&] { write_text(report, series_page(sets, targets, settings.output, left_out)); }};
   for (const SetResult& set : sets)
-    for (const TestResult& test : set.tests) try {
-        write_text(test.run->folder / "report.html",
-                   case_page(test, targets, settings.output / "figures"));
-      } catch (const InputError& problem) {  // of a run in a folder for reading only
-        std::cerr << "note: no report of '" << test.run->id << "': " << problem.what() << '\n';
-      }
+    for (const TestResult& test : set.tests)
+      tasks.emplace_back([&] {
+        try {
+          write_text(test.run->folder / "report.html",
+                     case_page(test, targets, settings.output / "figures"));
+        } catch (const InputError& problem) {  // of a run in a folder for reading only
+          std::cerr << "note: no report of '" + test.run->id + "': " + problem.what() + '\n';
+        }
+      });
+  do_in_processes(tasks, drawing_processes());
   if (!settings.brief)
     std::cout << "Report:   " << report.string() << ", and one in the folder of each case\n";
 }

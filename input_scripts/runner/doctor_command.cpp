@@ -35,7 +35,7 @@ Trial trial_of(const std::vector<std::string>& words, double seconds)
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
   const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
-  const pid_t pid = start_program({words, folder.path(), screen, true, -1});
+  const pid_t pid = start_program({words, folder.path(), screen, true, -1, folder.path()});
   Trial trial;
   while (!has_ended(pid, trial.code)) {
     if (passed() > seconds) {
