@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The first screen of a page: numbers, sentence and figure of closed forms beside the laboratory.
 #include "closed_form_case.h"
 #include "drawing/figures.h"

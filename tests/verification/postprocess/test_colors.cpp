@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Colors of charts and pages, by formulas of others: contrast of the Web Content Accessibility
 // Guidelines 2.1 (W3C, 2018), and how colors are seen by people who lack one kind of cones (G. M.
 // Machado, M. M. Oliveira, L. A. F. Fernandes, IEEE Transactions on Visualization and Computer
