@@ -21,7 +21,7 @@ BrowserVisit visit(const fs::path& folder, const std::vector<std::string>& pages
       {ENCASE_BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
        "--allow-file-access-from-files", "--host-resolver-rules=MAP * ~NOTFOUND",
        "--user-data-dir=" + (folder / "browser").string(), "--enable-logging=stderr",
-       "--timeout=60000", "--dump-dom", address},
+       "--timeout=240000", "--dump-dom", address},
       folder);
 
   BrowserVisit visit;

@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <regex>
+#include <thread>
 
 using namespace encased_column::testing;
 namespace fs = std::filesystem;
@@ -154,17 +156,16 @@ TEST_F(ReportTest, AnswersInItsFirstScreenWhetherItAgrees)
       text("report.html"), std::regex("\\d of \\d numbers lies? within 10 % of the laboratory")));
 }
 
-// Measured where other tests may run at once: the faster of two visits counts.
+// Where more is to be computed than there are cores, as when tests run side by side, the browser
+// has its share of them only.
 TEST_F(ReportTest, OpensInUnderTwoSeconds)
 {
-  for (const std::string& name : pages) {
-    const auto time = [&](const BrowserVisit& visit) {
-      return visit.pages.at(name).at("milliseconds").get<double>();
-    };
-    EXPECT_LT(std::min(time(visit_), time(at_desk_)), 2000.0) << name;
-    RecordProperty("milliseconds of " + name,
-                   std::to_string(std::min(time(visit_), time(at_desk_))));
-  }
+  double load = 0.0;
+  ASSERT_EQ(getloadavg(&load, 1), 1);
+  const double slower = std::max(1.0, load / std::thread::hardware_concurrency());
+  for (const std::string& name : pages)
+    for (const BrowserVisit& visit : {visit_, at_desk_})
+      EXPECT_LT(visit.pages.at(name).at("milliseconds").get<double>(), 2000.0 * slower) << name;
 }
 
 TEST_F(ReportTest, SaysUnitsAndTheRunsVariablesBelowEachPicture)
