@@ -2,6 +2,7 @@
 // elsewhere.
 #include "core/input_error.h"
 #include "report_command.h"
+#include "runner/calibrate_call.h"
 #include "runner/places.h"
 #include "runner/run_command.h"
 
@@ -55,6 +56,9 @@ int main(int count, char** words)
   CLI::App* const report =
       app.add_subcommand("report", "Curves, tables and pictures of triaxial runs");
   add_report_options(*report, report_options);
+  CLI::App* const calibration = app.add_subcommand(
+      "calibrate", "Parameters of the decks from laboratory results, and how sure they are");
+  calibration->prefix_command()->set_help_flag();
   const std::string command = count > 1 && words[1][0] != '-' ? words[1] : "";
   try {
     app.parse(count, words);
@@ -64,6 +68,7 @@ int main(int count, char** words)
     return complain(command, in_one_sentence(problem, app));
   }
   try {
+    if (calibration->parsed()) call_calibrate(calibration->remaining());
     if (report->parsed())
       return report_command(report_options, find_places(), {words + 1, words + count});
     return list->parsed() || options.list ? list_command(find_places(), options)
