@@ -36,6 +36,14 @@ std::unique_ptr<RunProgram> program_of(const CalibrationConfig& config, const Pl
   return formula_program();
 }
 
+/// Forgets what is known of failed runs and what they left, so that they are made again.
+void forget_failed(RunStore& store, const fs::path& folder)
+{
+  for (const auto& [key, result] : store.runs())
+    if (!result.good()) fs::remove_all(folder / "runs" / PlannedRun{key, {}, {}}.id());
+  store.forget_failed();
+}
+
 void write_results(const CalibrationConfig& config, const Calibration& calibration,
                    const Places& places, const fs::path& folder, std::ostream& out)
 {
@@ -77,7 +85,7 @@ int calibrate(const CalibrateOptions& options, const Places& places, std::ostrea
   fs::create_directories(folder, failure);
   RunStore store(file);
   store.identify(identity_of(config, rows));
-  if (options.retry) store.forget_failed();
+  if (options.retry) forget_failed(store, folder);
   Calibration calibration(config, rows, store, out);
   if (!options.report) {
     const auto program = program_of(config, places, folder, options.slurm);

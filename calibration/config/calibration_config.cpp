@@ -19,6 +19,8 @@ Parameter read_parameter(const YamlMap& map)
   Parameter one;
   one.name = map.text("name");
   read_setting(map.place("name"), one.name + "=1");  // a name the decks can have
+  if (map.has("also")) one.also = map.texts("also");
+  for (const std::string& other : one.also) read_setting(map.place("also"), other + "=1");
   one.unit = map.text("unit", "-");
   one.low = map.number_in("low", one.unit);
   one.high = map.number_in("high", one.unit);
@@ -185,54 +187,6 @@ SearchPlan read_search(const YamlMap& top)
 }
 
 }  // namespace
-
-const ConfigKeys& config_keys()
-{
-  static const ConfigKeys keys{
-      {{"name", "of the run folder and the set of parameters: letters, digits, '_', '-', '.'"},
-       {"title", "of the report"},
-       {"runs", "what is run"},
-       {"parameters", "what is looked for: a list"},
-       {"targets", "what is to be met: a list"},
-       {"design", "the first points"},
-       {"search", "surrogates, search and posterior"},
-       {"budget", "runs of cases in all, at most"}},
-      {{"program", "encase (default), a program of your own with its words, or formula"},
-       {"cases_file", "CSV file of the cases (default: our own series.csv)"},
-       {"cases", "ids of its rows"},
-       {"set", "variables of all cases, NAME: VALUE"},
-       {"resolution", "quick, standard or paper"},
-       {"ranks", "MPI ranks of a case"},
-       {"jobs", "cases at once"},
-       {"slurm_options", "options of sbatch, for --slurm"},
-       {"keep_files", "yes: pictures, grains and restart files of every run stay (default: no)"}},
-      {{"name", "of the deck's variable"},
-       {"low", "lower end of its range"},
-       {"high", "upper end"},
-       {"scale", "linear (default) or log"},
-       {"unit", "its SI unit (default: none)"}},
-      {{"quantity", "what is compared, from the table below"},
-       {"curve", "in its place: CSV file of a whole curve"},
-       {"strains", "at how many strains a curve is compared (default: 8)"},
-       {"case", "of which test"},
-       {"cases", "of which tests, for friction_angle and cohesion (default: all)"},
-       {"value", "of the laboratory, with unit"},
-       {"tolerance", "in the same unit or in percent of the value: within it a value is met"},
-       {"weight", "default 1; 0: foretold and compared, not fitted"}},
-      {{"kind", "sobol (default) or latin_hypercube"},
-       {"points", "that fill the ranges evenly (default: 60)"},
-       {"morris_ways", "of Morris's method, each of one run more than parameters (default: 0)"},
-       {"repeated", "points run with several packings (default: 2)"},
-       {"repeats", "packings of these and of the best candidates (default: 3)"},
-       {"seed", "of all random numbers, packings too (default: 1)"}},
-      {{"surrogates", "of regression, network, kriging (default: all three)"},
-       {"folds", "of the cross-validation (default: 10)"},
-       {"rounds", "of candidates, at most (default: 4)"},
-       {"candidates", "of a round (default: 4)"},
-       {"cost", "yes: the time of a run is a second objective (default: no)"},
-       {"samples", "of the posterior (default: 8000)"}}};
-  return keys;
-}
 
 CalibrationConfig read_calibration(const fs::path& file)
 {

@@ -53,7 +53,7 @@ YamlMap::YamlMap(const YAML::Node& node, std::string file, std::string part,
       throw InputError("'" + key + "' " + in_file(file_, line) +
                        " must stand once, found it in line " + std::to_string(find(key)->line) +
                        " too, leave one out");
-    entries_.push_back({key, {each.second}, line});
+    entries_.push_back({key, std::make_shared<const YAML::Node>(each.second), line});
   }
 }
 
@@ -105,7 +105,7 @@ std::string YamlMap::scalar(const YAML::Node& node, const std::string& key) cons
 
 std::string YamlMap::text(const std::string& key) const
 {
-  return scalar(needed(key).node.front(), key);
+  return scalar(*needed(key).node, key);
 }
 
 std::string YamlMap::text(const std::string& key, const std::string& otherwise) const
@@ -147,7 +147,7 @@ double YamlMap::number_in(const std::string& key, const std::string& unit) const
 
 std::vector<std::string> YamlMap::texts(const std::string& key) const
 {
-  const YAML::Node& node = needed(key).node.front();
+  const YAML::Node& node = *needed(key).node;
   if (!node.IsSequence()) return {scalar(node, key)};
   std::vector<std::string> all;
   for (const YAML::Node& each : node) all.push_back(scalar(each, key));
@@ -158,7 +158,7 @@ std::vector<std::pair<std::string, std::string>> YamlMap::pairs(const std::strin
 {
   std::vector<std::pair<std::string, std::string>> all;
   if (!has(key)) return all;
-  const YAML::Node& node = needed(key).node.front();
+  const YAML::Node& node = *needed(key).node;
   if (!node.IsMap())
     throw InputError(place(key) + " takes lines 'NAME: VALUE' below it, found something else, " +
                      "write for example '" + key + ": {sigma3: 50e3}'");
@@ -170,7 +170,7 @@ std::vector<std::pair<std::string, std::string>> YamlMap::pairs(const std::strin
 YamlMap YamlMap::map(const std::string& key, const std::vector<ConfigKey>& keys) const
 {
   const Entry* found = find(key);
-  YamlMap below(found ? found->node.front() : YAML::Node(), file_, "'" + key + "'", keys);
+  YamlMap below(found ? *found->node : YAML::Node(), file_, "'" + key + "'", keys);
   if (!found) below.line_ = line_;
   return below;
 }
@@ -178,7 +178,7 @@ YamlMap YamlMap::map(const std::string& key, const std::vector<ConfigKey>& keys)
 std::vector<YamlMap> YamlMap::maps(const std::string& key, const std::string& part,
                                    const std::vector<ConfigKey>& keys) const
 {
-  const YAML::Node& node = needed(key).node.front();
+  const YAML::Node& node = *needed(key).node;
   if (!node.IsSequence() || node.size() == 0)
     throw InputError(place(key) + " takes a list with one line '- ...' at least, found " +
                      (node.IsSequence() ? "none" : "something else") + ", write for example '- {" +

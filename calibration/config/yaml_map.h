@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -49,7 +50,7 @@ class YamlMap {
  private:
   struct Entry {
     std::string key;
-    std::vector<YAML::Node> node;  // one; a list, as the type is not known here
+    std::shared_ptr<const YAML::Node> node;
     int line;
   };
   const Entry* find(const std::string& key) const;

@@ -25,14 +25,15 @@ bool is_of_sleeve(const std::string& variable, const fs::path& common)
   return false;
 }
 
-std::string value_line(const CalibrationConfig& config, const Findings& found, int i)
+std::string value_line(const CalibrationConfig& config, const Findings& found, int i,
+                       const std::string& variable)
 {
   const Parameter& one = config.space[i];
   const StoredPoint& best = found.points[static_cast<std::size_t>(found.best)];
   const Eigen::VectorXd column = found.posterior.points.col(i);
   char value[40];
   std::snprintf(value, sizeof value, "%.6g", config.space.value(i, best.point[i]));
-  return "variable " + one.name + " index " + value + "  # [" + one.unit + "] 95 % interval " +
+  return "variable " + variable + " index " + value + "  # [" + one.unit + "] 95 % interval " +
          in_words(config.space.value(i, quantile(column, 0.025))) + " to " +
          in_words(config.space.value(i, quantile(column, 0.975))) + "\n";
 }
@@ -45,8 +46,12 @@ std::vector<ParameterFile> parameter_files(const CalibrationConfig& config, cons
   std::string base = "laboratory", grains, sleeve;
   for (const auto& [name, value] : config.runs.set)
     if (name == "parameters") base = value;
-  for (int i = 0; i < config.space.size(); ++i)
-    (is_of_sleeve(config.space[i].name, common) ? sleeve : grains) += value_line(config, found, i);
+  for (int i = 0; i < config.space.size(); ++i) {
+    std::vector<std::string> variables{config.space[i].name};
+    variables.insert(variables.end(), config.space[i].also.begin(), config.space[i].also.end());
+    for (const std::string& one : variables)
+      (is_of_sleeve(one, common) ? sleeve : grains) += value_line(config, found, i, one);
+  }
   std::string others;
   for (const auto& [name, value] : config.runs.set)
     if (name != "parameters") others += "#   " + name + "=" + value + "\n";

@@ -4,6 +4,7 @@
 #include "runner/stop_signals.h"
 #include "runner/text_file.h"
 #include "runs/run_program.h"
+#include "runs/signal_mask.h"
 
 #include <algorithm>
 #include <chrono>
@@ -49,6 +50,7 @@ class CommandProgram : public RunProgram {
   RunsEnd make(const std::vector<PlannedRun>& runs, const Tell& tell) override
   {
     const std::size_t jobs = plan_.jobs.empty() ? 1 : std::stoul(plan_.jobs);
+    const SignalMask mask;
     StopSignals signals;
     std::vector<Running> running;
     std::size_t next = 0;

@@ -5,6 +5,7 @@
 #include "runner/stop_signals.h"
 #include "runner/text_file.h"
 #include "runs/run_program.h"
+#include "runs/signal_mask.h"
 #include "tables/evaluation.h"
 
 #include <csignal>
@@ -104,6 +105,7 @@ class EncaseProgram : public RunProgram {
     fs::create_directories(folder_);
     const fs::path cases = folder_ / "cases.csv";
     write_text_file(cases, cases_text(runs));
+    const SignalMask mask;
     StopSignals signals;
     const pid_t pid = start_program({words(cases), "", "", true, -1});
     int code = 0;

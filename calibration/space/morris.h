@@ -6,6 +6,8 @@
 
 namespace encased_column {
 
+constexpr int usual_morris_levels = 4;
+
 /// Ways through the unit cube that change one parameter at a time. Way w has the points
 /// w (d + 1) to w (d + 1) + d; `changed` tells which parameter changes behind each of its first d
 /// points, `step` by how much.

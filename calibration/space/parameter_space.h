@@ -13,6 +13,7 @@ struct Parameter {
   std::string unit;  ///< "Pa"; "-" where there is none
   double low, high;  ///< in SI units, low < high
   bool logarithmic = false;
+  std::vector<std::string> also{};  ///< variables that take the same value
 };
 
 /// The ranges of all parameters. Designs, surrogates and searches work in the unit cube, where each

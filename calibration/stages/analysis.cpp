@@ -12,7 +12,6 @@ namespace encased_column {
 namespace {
 
 constexpr Eigen::Index fewest_runs = 10;
-constexpr int morris_levels = 4;
 constexpr int resamples = 100;
 constexpr double about_as_good = 4.0;  // of the mismatch: two standard deviations of one parameter
 
@@ -81,8 +80,8 @@ Fitted fit_outputs(const CalibrationConfig& config, const std::vector<Output>& o
 std::vector<Sensitivity> sensitivities(const CalibrationConfig& config, const RunTable& table,
                                        const std::vector<StoredPoint>& points)
 {
-  const MorrisPlan plan = morris_plan(config.design.morris_ways, config.space.size(), morris_levels,
-                                      config.design.seed);
+  const MorrisPlan plan = morris_plan(config.design.morris_ways, config.space.size(),
+                                      usual_morris_levels, config.design.seed);
   std::vector<Sensitivity> all;
   for (Eigen::Index column = 0; column < table.values.cols(); ++column) {
     const Data data = table.data_of(table.values.col(column));

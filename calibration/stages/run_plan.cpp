@@ -12,8 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int morris_levels = 4;
-
 /// As many digits as tell a double from its neighbour, no more than needed.
 std::string digits(double value)
 {
@@ -58,7 +56,8 @@ std::string identity_of(const CalibrationConfig& config, const std::vector<Case>
   std::string text;
   for (const Parameter& one : config.space.parameters())
     text += one.name + " from " + digits(one.low) + " to " + digits(one.high) +
-            (one.logarithmic ? ", log" : "") + "\n";
+            (one.logarithmic ? ", log" : "") +
+            (one.also.empty() ? "" : ", also " + joined(one.also)) + "\n";
   for (const Case& row : rows)
     text += "case " + row.id + " of deck " + row.deck + "\n" + in_lines(row.variables);
   text += in_lines(config.runs.set) + "resolution " + config.runs.resolution + "\n";
@@ -81,7 +80,7 @@ std::vector<StoredPoint> first_points(const CalibrationConfig& config)
     points.push_back(
         {0, "design", 0, n < plan.repeated ? plan.repeats : 1, design.row(n).transpose()});
   const Eigen::MatrixXd ways =
-      morris_plan(plan.morris_ways, config.space.size(), morris_levels, plan.seed).points;
+      morris_plan(plan.morris_ways, config.space.size(), usual_morris_levels, plan.seed).points;
   for (Eigen::Index n = 0; n < ways.rows(); ++n)
     points.push_back({0, "morris", 0, 1, ways.row(n).transpose()});
   return points;
@@ -104,8 +103,11 @@ std::vector<PlannedRun> runs_of(const CalibrationConfig& config, const std::vect
         std::map<std::string, std::string> seen;  // what comes later counts
         for (const Settings& part : {row.variables, config.runs.set})
           for (const auto& [name, value] : part) seen[name] = value;
-        for (int i = 0; i < config.space.size(); ++i)
-          seen[config.space[i].name] = digits(values[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < config.space.size(); ++i) {
+          const std::string value = digits(values[static_cast<std::size_t>(i)]);
+          seen[config.space[i].name] = value;
+          for (const std::string& other : config.space[i].also) seen[other] = value;
+        }
         seen["seed"] = std::to_string(packing_seed(config, run.key));
         run.variables.assign(seen.begin(), seen.end());
         runs.push_back(std::move(run));

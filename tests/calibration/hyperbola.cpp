@@ -14,7 +14,7 @@ int main(int count, char** words)
   double stiffness = 20e6, strength = 300e3;
   for (int n = 2; n < count; ++n) {
     const char* sign = std::strchr(words[n], '=');
-    const std::string name(words[n], sign);
+    const std::string name(words[n], sign ? static_cast<std::size_t>(sign - words[n]) : 0);
     if (name == "stiffness") stiffness = std::atof(sign + 1);
     if (name == "strength") strength = std::atof(sign + 1);
   }
