@@ -5,6 +5,7 @@
 #include <openturns/ComposedDistribution.hxx>
 #include <openturns/EvaluationImplementation.hxx>
 #include <openturns/Function.hxx>
+#include <openturns/Log.hxx>
 #include <openturns/Sample.hxx>
 #include <openturns/Uniform.hxx>
 
@@ -82,8 +83,16 @@ class CalledFunction : public OT::EvaluationImplementation {
   Body body_;
 };
 
+/// Warnings of OpenTURNS name nothing that a user can mend: bounds set to suit the points, a local
+/// search cut short.
+inline void show_errors_only()
+{
+  OT::Log::Show(OT::Log::ERROR);
+}
+
 inline OT::Function function_of(int inputs, int outputs, CalledFunction::Body body)
 {
+  show_errors_only();
   return OT::Function(CalledFunction(inputs, outputs, std::move(body)));
 }
 

@@ -68,7 +68,12 @@ UsualUnit usual_unit(double size, const std::string& unit)
 
 std::string in_usual_unit(double value, const std::string& unit, int digits)
 {
-  const UsualUnit usual = usual_unit(value, unit);
+  return in_unit_like(value, value, unit, digits);
+}
+
+std::string in_unit_like(double value, double like, const std::string& unit, int digits)
+{
+  const UsualUnit usual = usual_unit(like, unit);
   char text[40];
   std::snprintf(text, sizeof text, "%.*g", digits, value / usual.size);
   return usual.name == "-" ? text : std::string(text) + " " + usual.name;

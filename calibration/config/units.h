@@ -12,6 +12,9 @@ double read_in_unit(const std::string& keyword, const std::string& word, const s
 /// `value` [SI] for reading: in kPa or MPa, degrees or percent of strain where that is usual.
 std::string in_usual_unit(double value, const std::string& unit, int digits = 4);
 
+/// The same in the unit that would be usual for `like`, so that numbers side by side compare.
+std::string in_unit_like(double value, double like, const std::string& unit, int digits = 3);
+
 /// What in_usual_unit() writes behind the number; charts use it for axes. `size` decides between
 /// kPa and MPa.
 struct UsualUnit {

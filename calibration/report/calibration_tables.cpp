@@ -52,11 +52,12 @@ Rows target_rows(const Findings& found)
     const Goal& goal = found.fitted.goals[n];
     const FittedOutput& fitted = found.fitted.outputs[n];
     const double value = found.values[static_cast<Eigen::Index>(n)];
-    const auto shown_value = [&](double x) { return in_usual_unit(x, output.unit); };
+    const auto shown_value = [&](double x) { return in_unit_like(x, goal.value, output.unit); };
     const bool met = std::abs(value - goal.value) <= goal.tolerance;
-    rows.push_back({goal.name, shown_value(goal.value), shown_value(goal.tolerance),
-                    shown_value(value), shown_value(value - goal.value),
-                    shown_value(fitted.scatter), shown_value(fitted.error),
+    rows.push_back({goal.name, in_usual_unit(goal.value, output.unit), shown_value(goal.tolerance),
+                    in_unit_like(value, goal.value, output.unit, 4),
+                    shown_value(value - goal.value), shown_value(fitted.scatter),
+                    shown_value(fitted.error),
                     goal.weight == 0.0 ? (met ? "foretold" : "foretold, off")
                     : met              ? "pass"
                                        : "FAIL"});

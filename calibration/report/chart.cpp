@@ -197,7 +197,8 @@ std::string pair_plot(const std::vector<std::string>& names,
   constexpr double cell = 120, gap = 8, margin = 30;
   constexpr std::size_t bins = 20, most_dots = 400;
   const double size = margin + static_cast<double>(names.size()) * (cell + gap);
-  std::string text = opening(size, size, "Parameters against one another");
+  std::string text = "<div style=\"max-width: " + pixel(1.1 * size) + "px\">" +
+                     opening(size, size - margin, "Parameters against one another");
   for (std::size_t i = 0; i < names.size(); ++i)
     for (std::size_t j = 0; j < names.size(); ++j) {
       const double x0 = margin + static_cast<double>(j) * (cell + gap),
@@ -231,7 +232,7 @@ std::string pair_plot(const std::vector<std::string>& names,
                 text_at(x0 + 0.5 * cell, y0 + 0.55 * cell, "middle", word, 18);
       }
     }
-  return text + "</svg>";
+  return text + "</svg></div>";
 }
 
 }  // namespace encased_column

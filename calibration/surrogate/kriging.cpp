@@ -5,7 +5,6 @@
 #include <openturns/GeneralLinearModelAlgorithm.hxx>
 #include <openturns/KrigingAlgorithm.hxx>
 #include <openturns/LinearBasisFactory.hxx>
-#include <openturns/Log.hxx>
 #include <openturns/MaternModel.hxx>
 
 #include <cmath>
@@ -49,7 +48,7 @@ struct Scaled {
 
 Scaled scaled(const Data& data)
 {
-  OT::Log::Show(OT::Log::ERROR);  // that bounds were set to suit the points is nothing to mend
+  show_errors_only();
   const double mean = data.values.mean();
   double spread = std::sqrt((data.values.array() - mean).square().mean());
   if (!(spread > 1e-12 * std::abs(mean))) spread = 1.0;
