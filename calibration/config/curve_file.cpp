@@ -41,8 +41,8 @@ SampledCurve read_curve_file(const std::filesystem::path& file, const std::strin
                      " must have a line of headings and two rows at least, " + "found " +
                      std::to_string(rows.size()) + " lines, add rows");
   try {
-    return SampledCurve(column(rows, "axial_strain", "-", place),
-                        column(rows, "deviatoric_stress", "Pa", place));
+    const std::vector<double> strain = column(rows, "axial_strain", "-", place);
+    return SampledCurve(strain, column(rows, "deviatoric_stress", "Pa", place));
   } catch (const InputError& problem) {
     const std::string text = problem.what();
     throw InputError(text.find(place) == std::string::npos ? place + ": " + text : text);

@@ -36,6 +36,12 @@ OT::OptimizationResult evolve(const OT::OptimizationProblem& problem, const char
   return search.getResult();
 }
 
+/// True if `a` is as good as `b` in both objectives and better in one.
+bool is_better(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a[0] <= b[0] && a[1] <= b[1] && a != b;
+}
+
 }  // namespace
 
 Found genetic_search(const CubeFunction& objective, int dimensions, unsigned seed)
@@ -66,12 +72,16 @@ std::vector<Found> pareto_search(const CubeFunction& first, const CubeFunction& 
   };
   const OT::OptimizationResult result =
       evolve(problem_of(function_of(dimensions, 2, both), dimensions), "nsga2", seed);
-  std::vector<Found> front;
-  const OT::IndicesCollection fronts = result.getParetoFrontsIndices();
-  for (auto n = fronts.cbegin_at(0); n != fronts.cend_at(0); ++n) {
-    const OT::Point values = result.getFinalValues()[*n];
-    front.push_back({vector_of(result.getFinalPoints()[*n]), {values[0], values[1]}});
+  std::vector<Found> all, front;
+  for (OT::UnsignedInteger n = 0; n < result.getFinalPoints().getSize(); ++n) {
+    const OT::Point values = result.getFinalValues()[n];
+    all.push_back({vector_of(result.getFinalPoints()[n]), {values[0], values[1]}});
   }
+  // The fronts that OpenTURNS 1.20 lists are not those of the points it returns.
+  for (const Found& one : all)
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const Found& other) { return is_better(other.values, one.values); }))
+      front.push_back(one);
   std::sort(front.begin(), front.end(),
             [](const Found& a, const Found& b) { return a.values < b.values; });
   return front;

@@ -43,11 +43,11 @@ TEST(Mismatch, TakesTheToleranceForA95PercentInterval)
 
 TEST(GeneticSearch, FindsTheLowestOfManyValleys)
 {
-  // 49 valleys, the lowest at (0.5, 0.5) + 1/14.
+  // 49 valleys, 1/7 apart; the lowest, at (0.5, 0.5), is the one next to (0.52, 0.52).
   const CubeFunction function = [](const Eigen::VectorXd& x) {
     double sum = 0.0;
     for (Eigen::Index i = 0; i < 2; ++i)
-      sum += std::cos(14.0 * M_PI * x[i]) + 4.0 * std::pow(x[i] - 0.5 - 1.0 / 14.0, 2);
+      sum += std::cos(14.0 * M_PI * x[i]) + 4.0 * std::pow(x[i] - 0.52, 2);
     return sum;
   };
   const Found found = genetic_search(function, 2, 1);
@@ -62,9 +62,9 @@ TEST(GeneticSearch, FindsTheFrontOfTwoObjectives)
   const auto front = pareto_search(
       [](const Eigen::VectorXd& x) { return x[0] * x[0] + x[1]; },
       [](const Eigen::VectorXd& x) { return (1.0 - x[0]) * (1.0 - x[0]) + x[1]; }, 2, 1);
-  ASSERT_GE(front.size(), 10u);
+  ASSERT_GE(front.size(), 15u);
   for (const Found& one : front) {
-    EXPECT_LT(one.point[1], 0.02);
+    EXPECT_LT(one.point[1], 1e-3);
     EXPECT_NEAR(std::sqrt(one.values[0]) + std::sqrt(one.values[1]), 1.0, 0.05);
   }
   EXPECT_LT(front.front().values[0], 0.05);
@@ -106,8 +106,9 @@ TEST(Identifiability, SaysWhichParametersTheDataLeaveOpen)
 {
   Posterior posterior{Eigen::MatrixXd(1000, 4), 0.3, Eigen::VectorXd::Ones(4)};
   for (int n = 0; n < 1000; ++n) {
-    const double open = (n + 0.5) / 1000.0, other = std::fmod(n * 0.618034, 1.0);
-    posterior.points.row(n) << open, 0.5 + 0.1 * (other - 0.5), 0.02 * other,
+    const double open = (n + 0.5) / 1000.0, other = std::fmod(n * 0.618034, 1.0),
+                 third = std::fmod(n * 0.414214, 1.0);
+    posterior.points.row(n) << open, 0.5 + 0.1 * (other - 0.5), 0.02 * third,
         0.9 - 0.8 * open + 0.02 * other;
   }
   EXPECT_EQ(knowledge_of(posterior.points.col(0)), Knowledge::not_told);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 using namespace encased_column;
 
@@ -69,9 +70,10 @@ TEST(SobolIndices, OfAPlaneAreTheSquaresOfItsSlopes)
 TEST(SobolIndices, CountWhatIsNotExplainedAsTheirError)
 {
   Data data = sampled(200, 2, [](const Eigen::VectorXd& x) { return x[0]; });
-  for (Eigen::Index n = 0; n < data.size(); ++n) data.values[n] += (n % 2 ? 1.0 : -1.0) * 0.144;
+  std::mt19937 random(5);
+  for (double& value : data.values) value += (random() % 2 ? 1.0 : -1.0) * 0.144;
   const SobolIndices found = sobol_indices(fit_polynomial(data), data, 20, 1);
-  EXPECT_NEAR(found.unexplained, 0.2, 0.03);
+  EXPECT_NEAR(found.unexplained, 0.2, 0.05);
   EXPECT_GT(found.first[1].error, 0.15);
 }
 
