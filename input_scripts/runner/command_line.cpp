@@ -42,6 +42,11 @@ CommandLine::CommandLine()
   list->add_option("--deck", run.deck, "a deck of your own beside ours")->type_name("FILE");
   add_report_options(*app.add_subcommand("report", "Curves, tables and pictures of triaxial runs"),
                      report);
+  // A program of its own, which reads what stands behind its name.
+  app.add_subcommand("calibrate",
+                     "Parameters of the decks from laboratory results, and how sure they are")
+      ->prefix_command()
+      ->set_help_flag();
   app.add_subcommand("styles", "Lists the styles that the plugin adds to LIGGGHTS");
   app.add_subcommand("explain",
                      "Tells what a style, a keyword, a column of its tables or a variable of a "

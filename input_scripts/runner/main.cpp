@@ -3,6 +3,7 @@
 // elsewhere.
 #include "core/input_error.h"
 #include "report_command.h"
+#include "runner/calibrate_call.h"
 #include "runner/command_line.h"
 #include "runner/doctor_command.h"
 #include "runner/explain_command.h"
@@ -27,6 +28,7 @@ int carry_out(const CommandLine& line, const std::vector<std::string>& words)
 {
   const std::string command = line.command();
   if (command == "texts") return write_shell_texts(line, line.folder), 0;
+  if (command == "calibrate") call_calibrate(line.app.get_subcommands().front()->remaining());
   const Places places = find_places();
   if (command == "report") return report_command(line.report, places, words);
   if (command == "styles") return styles_command(places);

@@ -84,6 +84,15 @@ std::string search_for_liggghts(const std::string& option)
 
 }  // namespace
 
+TEST_F(SetUp, LeavesOptionalPackagesOut)
+{
+  write("input_scripts/packages.txt", "no-such-package-17  optional: of nothing\n");
+  const Outcome outcome =
+      run_program({"env", "-u", "ENCASE_OPTIONAL", root_ / "input_scripts/set_up"}, root_);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.output, configuring() + building());
+}
+
 TEST_F(SetUp, SaysThatItBuildsWhereOtherTargetsWereBuiltBefore)
 {
   EXPECT_EQ(set_up({}, "make_one").output, configuring() + building());
