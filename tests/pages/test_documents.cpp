@@ -92,7 +92,8 @@ TEST(Documents, NameTheVersionOfTheBuild)
     }
   ASSERT_FALSE(version.empty());
   EXPECT_TRUE(any_line_has(lines_of(source / "CITATION.cff"), "version: " + version)) << version;
-  EXPECT_TRUE(any_line_has(lines_of(source / "CHANGELOG.md"), "## [" + version + "] - ")) << version;
+  EXPECT_TRUE(any_line_has(lines_of(source / "CHANGELOG.md"), "## [" + version + "] - "))
+      << version;
 }
 
 TEST(MarkdownLinks, AreFoundInBothWaysAndOutsideOfCode)
