@@ -57,9 +57,6 @@ std::string display_problem()
 
 void provide_display(const std::vector<std::string>& arguments)
 {
-  // Mesa optimises the shaders of every figure for longer than it draws: pictures of a small test
-  // took more than 220 s of a core where no cache had them, and 23 s without optimising them.
-  setenv("GALLIVM_PERF", "nopt", 0);
   if (has_display()) return;
 
   // The path the kernel knows: the name this was called by may have been found along PATH.
