@@ -2,12 +2,14 @@
 
 #include "shell/shell_element.h"
 
+#include <limits>
+
 namespace encased_column {
 
 namespace {
 
 /// Whether a force of [first, last) is above its limit; without branches, for the vector units.
-bool is_above(const ClothForces& found, const ClothRows& rows, int first, int last)
+bool is_above(const ClothAnswers& found, const ClothRows& rows, int first, int last)
 {
   int above = 0;
   for (int n = first; n < last; ++n)
@@ -45,11 +47,16 @@ void ClothFacets::set_memory(int f, const FacetMemory& memory)
   memory_[f] = memory;
   ClothRows& rows = rows_[f / facets_in_batch];
   const int n = f % facets_in_batch;
-  rows.stiffness.set(n, cloth_.stiffness(memory));
+  const double left = memory.left();
+  rows.left[n] = left;
+  rows.slip[n] = memory.slip;
+  if (left < 1.0) rows.torn = true;
+  constexpr double always = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < 2; ++i) {
     rows.plastic_strain[i][n] = memory.plastic_strain[i];
-    rows.limit[i][n] = cloth_.limit(i, facet_[f], memory);
-    if (memory.damage[i] > 0.0) rows.torn = true;
+    rows.limit[i][n] = left == 1.0  ? cloth_.limit(i, facet_[f], memory)
+                       : left > 0.0 ? always
+                                    : -always;
   }
 }
 
@@ -68,16 +75,18 @@ void ClothFacets::advance(int first, int last, bool at_set_up)
   wish_.erase(wish_.begin() + static_cast<long>(kept), wish_.end());
 }
 
-void ClothFacets::ask(int batch, int first, int last, const ClothForces& forces)
+void ClothFacets::ask(int batch, int first, int last, const ClothAnswers& answers)
 {
   const ClothRows& rows = rows_[batch];
-  if (!remembers_ || !is_above(forces, rows, first, last)) return;
-  const auto& [hoop, axial, shear] = forces.force;
+  if (!remembers_ || !is_above(answers, rows, first, last)) return;
+  const auto& [hoop, axial, shear] = answers.force;
   for (int n = first; n < last; ++n) {
     if (!(hoop[n] > rows.limit[0][n]) && !(axial[n] > rows.limit[1][n])) continue;
     const int f = batch * facets_in_batch + n;
     Wish wish{f, memory_[f], 0.0};
-    wish.taken = area_[f] * cloth_.follow({hoop[n], axial[n], shear[n]}, facet_[f], wish.memory);
+    const ClothAnswer answer{
+        {hoop[n], axial[n], shear[n]}, answers.elastic_shear[n], answers.energy[n] / area_[f]};
+    wish.taken = area_[f] * cloth_.follow(answer, facet_[f], wish.memory);
     wish_.push_back(wish);
   }
 }

@@ -10,36 +10,21 @@ class ShellElement;
 
 constexpr int facets_in_batch = 32;
 
-/// EvenStiffness of the facets of a batch, number by number.
-struct EvenStiffnessRows {
-  using Numbers = double[facets_in_batch];
-  Numbers along, poisson, bulk, deviatoric, scale, inverse, shear, softening;
-
-  EvenStiffness at(int n) const
-  {
-    return {along[n], poisson[n], bulk[n],  deviatoric[n],
-            scale[n], inverse[n], shear[n], softening[n]};
-  }
-  void set(int n, const EvenStiffness& even)
-  {
-    along[n] = even.along, poisson[n] = even.poisson, bulk[n] = even.bulk;
-    deviatoric[n] = even.deviatoric, scale[n] = even.scale, inverse[n] = even.inverse;
-    shear[n] = even.shear, softening[n] = even.softening;
-  }
-};
-
 /// What the loads of a batch take from the memory of its facets.
 struct ClothRows {
   using Numbers = double[facets_in_batch];
   Numbers plastic_strain[2];
-  Numbers limit[2];   ///< force above which the facet yields or tears [N/m]
-  bool torn = false;  ///< some facet has damage: their stiffnesses differ
-  EvenStiffnessRows stiffness;
+  /// Force above which the facet has to be looked at [N/m]: none where it tears, any once torn.
+  Numbers limit[2];
+  Numbers left;       ///< of its stiffness [-]
+  Numbers slip;       ///< [-]
+  bool torn = false;  ///< some facet has damage
 };
 
-/// Forces (hoop, axial, shear) of the facets of a batch [N/m].
-struct ClothForces {
-  double force[3][facets_in_batch];
+/// How the facets of a batch stand, as ClothAnswer but with the energy of the whole facet [J].
+struct ClothAnswers {
+  using Numbers = double[facets_in_batch];
+  Numbers force[3], elastic_shear, energy;
 };
 
 /// The facets of a cloth: what each remembers, side by side in batches.
@@ -72,7 +57,7 @@ class ClothFacets {
   /// again from their next loads.
   void advance(int first, int last, bool at_set_up);
   /// Lets the facets [first, last) of a batch ask for what their loads want.
-  void ask(int batch, int first, int last, const ClothForces& forces);
+  void ask(int batch, int first, int last, const ClothAnswers& answers);
   double dissipated() const { return dissipated_; }  ///< by what was asked for and given [J]
   void set_dissipated(double energy) { dissipated_ = energy; }
 

@@ -66,7 +66,7 @@ class FacetBatches {
   ClothFacets cloth_;
   /// Of the nodes of the batch at hand: in, then out.
   alignas(64) VectorRow<size> position_[3], director_[3], force_[3], moment_[3];
-  ClothForces cloth_forces_;  ///< of its membranes
+  ClothAnswers answers_;  ///< of its facets, if they remember
 };
 
 }  // namespace encased_column

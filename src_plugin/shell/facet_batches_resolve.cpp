@@ -12,6 +12,7 @@ namespace encased_column {
 struct FacetBatches::InBatch {
   const Batch& batch;
   int n;
+  double bending_left = 1.0;
   double area = batch.area[n];
 
   double gradient(int axis, int node) const { return batch.gradient[2 * axis + node - 1][n]; }
@@ -49,24 +50,28 @@ template <bool bends, bool wrinkles, bool softens, bool remembers, bool torn>
 double FacetBatches::resolve_one_cloth(const Batch& batch, const ClothRows& rows,
                                        const EvenStiffness& whole, int n)
 {
+  const double left = torn ? rows.left[n] : 1.0;
   // Number by number: copies of vectors would stay in memory.
   const auto membrane = [&](const PlaneVector& strain) -> MembraneAnswer {
     const double hoop = remembers ? strain(0) - rows.plastic_strain[0][n] : strain(0);
     const double axial = remembers ? strain(1) - rows.plastic_strain[1][n] : strain(1);
-    const double shear = strain(2);
-    const PlaneVector force =
-        relaxed_force<wrinkles, softens>(torn ? rows.stiffness.at(n) : whole, {hoop, axial, shear});
-    const double force_hoop = force(0), force_axial = force(1), force_shear = force(2);
+    const double shear = torn ? strain(2) - rows.slip[n] : strain(2);
+    const PlaneVector force = relaxed_force<wrinkles, softens>(whole, {hoop, axial, shear});
+    const double force_hoop = torn ? left * force(0) : force(0);
+    const double force_axial = torn ? left * force(1) : force(1);
+    const double force_shear = torn ? left * force(2) : force(2);
     if constexpr (remembers) {
-      cloth_forces_.force[0][n] = force_hoop;
-      cloth_forces_.force[1][n] = force_axial;
-      cloth_forces_.force[2][n] = force_shear;
+      answers_.force[0][n] = force_hoop;
+      answers_.force[1][n] = force_axial;
+      answers_.force[2][n] = force_shear;
+      answers_.elastic_shear[n] = shear;
     }
     return {{hoop, axial, shear}, {force_hoop, force_axial, force_shear}};
   };
   const FacetVectors x{position_[0].at(n), position_[1].at(n), position_[2].at(n)};
   const FacetVectors d{director_[0].at(n), director_[1].at(n), director_[2].at(n)};
-  const FacetLoads loads = facet_loads<bends>(InBatch{batch, n}, x, d, membrane);
+  const FacetLoads loads = facet_loads<bends>(InBatch{batch, n, left}, x, d, membrane);
+  if constexpr (remembers) answers_.energy[n] = loads.energy;
   for (int i = 0; i < 3; ++i) {
     force_[i].set(n, loads.force[i]);
     moment_[i].set(n, loads.moment[i]);
@@ -111,7 +116,7 @@ double FacetBatches::resolve_cloth(const Batch& batch, int number, int first, in
   else
     energy = bends_ ? resolve_cloth_kind<true, true, true>(batch, rows, first, last)
                     : resolve_cloth_kind<false, true, true>(batch, rows, first, last);
-  cloth_.ask(number, first, last, cloth_forces_);
+  cloth_.ask(number, first, last, answers_);
   return energy;
 }
 

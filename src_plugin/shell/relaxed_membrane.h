@@ -22,22 +22,15 @@ struct EvenStiffness {
   double softening;
 
   /// `hoop`, `axial` are the stiffnesses of strips [N/m], `poisson` the contraction along the axis
-  /// under hoop tension, all of the whole cloth; `g` as above. `left_hoop`, `left_axial` are what
-  /// damage has left of the two directions, (0, 1]: it raises the compliances 1 / J of the
-  /// directions and leaves the coupling -nu / J_hoop, so the shear stiffness g J / (2 (1 + nu))
-  /// falls with the mean of both. Source: Matzenmiller, Lubliner and Taylor, Mech. Mater. 20 (1995)
-  /// 125-152, for all but the shear, which there has a variable of its own; here it keeps to the
-  /// directions so that an isotropic cloth still wrinkles in closed form.
-  static EvenStiffness of(double hoop, double axial, double poisson, double g,
-                          double left_hoop = 1.0, double left_axial = 1.0)
+  /// under hoop tension; `g` as above.
+  static EvenStiffness of(double hoop, double axial, double poisson, double g)
   {
-    const double left = std::sqrt(left_hoop * left_axial);
     EvenStiffness even;
-    even.along = left * std::sqrt(hoop * axial);
-    even.poisson = left * poisson * std::sqrt(axial / hoop);
+    even.along = std::sqrt(hoop * axial);
+    even.poisson = poisson * std::sqrt(axial / hoop);
     even.bulk = even.along / (1.0 - even.poisson);
     even.deviatoric = even.along / (1.0 + even.poisson);
-    even.scale = std::sqrt(left_hoop * hoop / even.along);
+    even.scale = std::sqrt(hoop / even.along);
     even.inverse = 1.0 / even.scale;
     even.shear = g;
     even.softening = 0.5 * (1.0 + even.poisson) * (1.0 / g - 1.0);

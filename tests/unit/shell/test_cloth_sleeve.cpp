@@ -135,6 +135,71 @@ TEST(ClothBatches, GiveTheLoadsOfEachFacet)
       }
 }
 
+// Half torn a facet bears half, moments too, and torn through nothing, however it is bent.
+TEST(ClothBatches, LeaveATornFacetTheShareOfItsDamageInMembraneAndBending)
+{
+  for (const bool wrinkles : {false, true}) {
+    ShellConstants c = isotropic_shell();
+    c.tension_only = wrinkles;
+    c.cloth.strength = {1e9, 1e9};
+    c.cloth.after = AfterStrength::tear;
+    c.cloth.fracture_energy = 1e15;
+    ShellModel model(cylinder_mesh(TubeShape{0.05, 0.0, 0.06, 0.02}), c, Vec3::UnitZ());
+    RandomVectors random(9);
+    std::vector<Vec3> x = model.position();
+    std::vector<Quaternion> q = model.rotation();
+    for (Vec3& p : x) p += 0.002 * random();
+    for (Quaternion& r : q) r = rotation_from_vector(0.1 * random());
+    model.set_state(x, q, model.velocity(), model.angular_velocity());
+    model.clear_loads();
+    const double whole = model.add_internal_loads(0, model.facets(), true);
+    const std::vector<Vec3> load = model.load();
+    for (const double damage : {0.5, 1.0}) {
+      for (int f = 0; f < model.facets(); ++f) {
+        FacetMemory memory;
+        memory.damage[f % 2] = damage;
+        memory.most_shear = 1.0;
+        model.cloth().set_memory(f, memory);
+      }
+      model.clear_loads();
+      EXPECT_NEAR(model.add_internal_loads(0, model.facets(), true), (1.0 - damage) * whole,
+                  1e-12 * whole);
+      for (std::size_t i = 0; i < load.size(); ++i)
+        EXPECT_LT((model.load()[i] - (1.0 - damage) * load[i]).norm(), 1e-9 * load[i].norm());
+      const FacetState state = model.facet_state(3);
+      if (damage == 1.0) {
+        EXPECT_EQ(state.moment.norm(), 0.0);
+        EXPECT_EQ(state.bending_energy + state.membrane_energy, 0.0);
+      }
+    }
+  }
+}
+
+// At nodes that stand still what a tear dissipates is what its facets no longer store, bent and
+// sheared as they are.
+TEST(ClothBatches, DissipateWhatFacetsNoLongerStoreWhenTheyTear)
+{
+  ShellConstants c = cloth_of_115();
+  c.bending_thickness = 0.002;
+  c.cloth.strength = {2000.0, 2000.0};
+  c.cloth.after = AfterStrength::tear;
+  c.cloth.fracture_energy = 100.0;
+  ShellModel model(cylinder_mesh(TubeShape{0.05, 0.0, 0.06, 0.01}), c, Vec3::UnitZ());
+  RandomVectors random(4);
+  std::vector<Vec3> x = model.position();
+  std::vector<Quaternion> q = model.rotation();
+  for (Vec3& p : x) p = 1.06 * p + 1e-4 * random();
+  for (Quaternion& r : q) r = rotation_from_vector(0.5 * random());
+  model.set_state(x, q, model.velocity(), model.angular_velocity());
+  const double before = model.add_internal_loads(0, model.facets());
+  double bending = 0.0;
+  for (int f = 0; f < model.facets(); ++f) bending += model.facet_state(f).bending_energy;
+  EXPECT_GT(bending, 0.05 * before);
+  const double after = model.add_internal_loads(0, model.facets());
+  EXPECT_LT(after, 0.8 * before);
+  EXPECT_NEAR(model.cloth().dissipated(), before - after, 1e-10 * before);
+}
+
 // A set-up finds the same loads again and advances nothing.
 TEST(ClothBatches, SetUpsChangeNothing)
 {
