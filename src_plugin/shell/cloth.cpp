@@ -63,6 +63,22 @@ double Cloth::limit(int direction, const ClothFacet& facet, const FacetMemory& m
   return has_strength(direction) ? std::min(table, strength(direction, facet)) : table;
 }
 
+YieldLine Cloth::line(int direction, const ClothFacet& facet, const FacetMemory& memory) const
+{
+  constexpr double never = YieldLine::never;
+  const double plastic = memory.plastic_strain[direction], left = memory.left();
+  if (left < 1.0) return {0.0, left > 0.0 ? -never : never, 0.0, -never};
+  YieldLine line = curve_[direction].line(plastic);
+  if (!has_strength(direction)) return line;
+  const double strength = this->strength(direction, facet);
+  const double reached = line.slope > 0.0 ? line.origin + (strength - line.tension) / line.slope
+                         : line.tension < strength ? never
+                                                   : line.origin;
+  if (plastic >= reached) return {0.0, strength, 0.0, tears() ? -never : never};
+  line.end = std::min(line.end, reached);
+  return line;
+}
+
 /// Lets plastic strain grow under a tension [N/m] above its limit; returns the energy per area.
 double Cloth::yield(int i, double tension, const ClothFacet& facet, FacetMemory& memory) const
 {

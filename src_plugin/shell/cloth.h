@@ -93,6 +93,15 @@ class Cloth {
   /// where neither can happen.
   double limit(int direction, const ClothFacet& facet, const FacetMemory& memory) const;
 
+  /// The same as a straight line in its plastic strain, up to where the facet has to be looked at:
+  /// the next reading, the strength, or always (`end` below zero) where it tears.
+  YieldLine line(int direction, const ClothFacet& facet, const FacetMemory& memory) const;
+  /// Plastic strain per tension above a line [m/N].
+  double growth_rate(int direction, const YieldLine& line) const
+  {
+    return 1.0 / (relaxation_[direction] + line.slope);
+  }
+
   /// Lets plastic strain, damage and slip follow how a facet stands; returns the energy per area
   /// [J/m^2] that this takes out. Each direction by itself, so with both of them at their limits,
   /// or wrinkled, what is above them falls by a factor of nu or nu^2 from call to call and is gone

@@ -47,7 +47,7 @@ std::vector<double> memory_numbers(const ShellModel& model, int first, int last)
 {
   std::vector<double> numbers(numbers_of_memory * model.facets(), 0.0);
   for (int f = first; f < last; ++f) {
-    const FacetMemory& memory = model.cloth().memory()[f];
+    const FacetMemory memory = model.cloth().memory(f);
     double* to = numbers.data() + numbers_of_memory * f;
     to = std::copy(memory.plastic_strain.begin(), memory.plastic_strain.end(), to);
     to = std::copy(memory.damage.begin(), memory.damage.end(), to);

@@ -200,6 +200,71 @@ TEST(ClothBatches, DissipateWhatFacetsNoLongerStoreWhenTheyTear)
   EXPECT_NEAR(model.cloth().dissipated(), before - after, 1e-10 * before);
 }
 
+// Over the corners of their tables, up to the strength and into the tear, side by side as each
+// facet by Cloth::follow() alone; and a sleeve that takes their memory over goes on bit by bit.
+TEST(ClothBatches, YieldAsFacetsOneByOneAndGoOnFromTheirMemory)
+{
+  for (const AfterStrength after : {AfterStrength::yield, AfterStrength::tear}) {
+    ShellConstants c = cloth_of_115();
+    c.tension_only = true;
+    c.cloth.strip[0] = {{0.0, 0.0}, {0.02, 2300.0}, {0.03, 2800.0}, {0.06, 3400.0}};
+    c.cloth.strip[1] = {{0.0, 0.0}, {0.01, 1150.0}, {0.05, 2000.0}};
+    c.cloth.strength = {3600.0, 2100.0};
+    c.cloth.after = after;
+    c.cloth.fracture_energy = 100.0;
+    ShellModel model(cylinder_mesh(TubeShape{0.05, 0.0, 0.06, 0.01}), c, Vec3::UnitZ());
+    ShellModel other = model;
+    std::vector<FacetMemory> memory(model.facets());
+    std::vector<ClothFacet> facet(model.facets());
+    for (int f = 0; f < model.facets(); ++f) facet[f].width = model.element()[f].tear_widths();
+    RandomVectors random(11);
+    std::vector<Vec3> off(model.nodes());
+    for (Vec3& v : off) v = random();
+    double taken = 0.0, largest = 0.0;
+    const auto stretch = [&](ShellModel& sleeve, int step) {
+      std::vector<Vec3> x = sleeve.reference();
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] = (1.0 + 2e-4 * step) * x[i] + 2e-6 * step * off[i];
+      sleeve.set_state(x, sleeve.rotation(), sleeve.velocity(), sleeve.angular_velocity());
+      sleeve.clear_loads();
+      sleeve.add_internal_loads(0, sleeve.facets());
+    };
+    for (int step = 0; step < 450; ++step) {
+      stretch(model, step);
+      for (int f = 0; f < model.facets(); ++f) {
+        const FacetMemory found = model.memory(f);
+        for (int i = 0; i < 2; ++i) {
+          EXPECT_NEAR(found.plastic_strain[i], memory[f].plastic_strain[i], 1e-13);
+          EXPECT_NEAR(found.damage[i], memory[f].damage[i], 1e-11);
+        }
+        const double area = model.element()[f].area();
+        const FacetState state = model.facet_state(f);
+        const PlaneVector force = model.material().membrane_force(state.strain, memory[f]);
+        const PlaneVector elastic = ShellMaterial::elastic_strain(state.strain, memory[f]);
+        largest = std::max(largest, memory[f].damage[0]);
+        if (step == 449) continue;
+        taken += area * model.material().cloth().follow(
+                            {force, elastic(2), ShellMaterial::membrane_energy(elastic, force)},
+                            facet[f], memory[f]);
+      }
+      if (step == 300) {  // half way, with the loads of the step before found again
+        for (int f = 0; f < other.facets(); ++f) other.cloth().set_memory(f, model.memory(f));
+        other.set_state(model.position(), model.rotation(), model.velocity(),
+                        model.angular_velocity());
+        other.clear_loads();
+        other.add_internal_loads(0, other.facets(), true);
+      } else if (step > 300) {
+        stretch(other, step);
+        for (std::size_t i = 0; i < model.load().size(); ++i)
+          EXPECT_EQ(model.load()[i], other.load()[i]);
+      }
+    }
+    EXPECT_NEAR(model.cloth().dissipated(), taken, 1e-11 * taken);
+    EXPECT_GT(summary_of(model, HeightWindow()).plastic_hoop_strain_max, 0.02);
+    EXPECT_EQ(largest > 0.1, after == AfterStrength::tear);
+  }
+}
+
 // A set-up finds the same loads again and advances nothing.
 TEST(ClothBatches, SetUpsChangeNothing)
 {
