@@ -2,15 +2,13 @@
 #pragma once
 
 #include "reading/targets.h"
+#include "tables/agreement.h"
 #include "tables/evaluation.h"
 
 #include <string>
 #include <vector>
 
 namespace encased_column {
-
-/// Part of a laboratory's value that a run may be off and still has met it.
-constexpr double near_laboratory = 0.15;
 
 /// What cohesion [Pa] may be off beside that: it stands where the line through the peaks meets no
 /// stress, and moves by (1 - sin phi) / (2 cos phi) of what moves the smallest peak.

@@ -61,17 +61,17 @@ TEST_F(AgreementTest, TellsFoundOverLaboratory)
     EXPECT_TRUE(numbers[i].of_laboratory);
   }
   EXPECT_EQ(agreement_sentence(numbers),
-            "1 of 4 numbers lies within 10 % of the laboratory's; farthest off: E50 at 50 kPa "
+            "1 of 4 numbers lies within 15 % of the laboratory's; farthest off: E50 at 50 kPa "
             "(encased), 52.63 times it.");
 }
 
 TEST(AgreementSentence, CallsHalfAsFarOffAsTwice)
 {
   EXPECT_EQ(agreement_sentence({number("a", 1.9), number("b", 0.5), number("c", 1.1)}),
-            "1 of 3 numbers lies within 10 % of the laboratory's; farthest off: b (plain), 0.50 "
+            "1 of 3 numbers lies within 15 % of the laboratory's; farthest off: b (plain), 0.50 "
             "times it.");
   EXPECT_EQ(agreement_sentence({number("a", 0.9), number("b", 1.05)}),
-            "All 2 numbers lie within 10 % of the laboratory's; farthest off: a (plain), 0.90 "
+            "All 2 numbers lie within 15 % of the laboratory's; farthest off: a (plain), 0.90 "
             "times it.");
   EXPECT_EQ(agreement_sentence({}), "The study tells no number of such tests.");
 }
