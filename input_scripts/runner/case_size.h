@@ -27,8 +27,8 @@ struct CaseSize {
   double grains = 0.0;
   double steps_before = 0.0;  ///< of growth and rest, the sleeve rigid
   double steps_after = 0.0;   ///< of preload, consolidation and shear
-  double work = 0.0;          ///< [grain-steps], what a sleeve takes counted as grains
-  double bytes = 0.0;         ///< on disk at the end
+  double work = 0.0;  ///< [grain-steps] of speed/packing.lmp, what a sleeve takes counted as grains
+  double bytes = 0.0;  ///< on disk at the end
   double steps() const { return steps_before + steps_after; }
 };
 CaseSize case_size(const CaseShape& shape);
