@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The program `encase-calibrate`, behind the command `encase calibrate`: apart, so that `encase`
 // needs none of its libraries.
 #include "calibrate_command.h"

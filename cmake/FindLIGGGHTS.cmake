@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-only
 # Finds LIGGGHTS 3.8: Debian's package, or a source build given by -DLIGGGHTS_ROOT=DIR, where DIR
 # holds src/ with the headers and the shared library (or lib/ and include/liggghts/).
 # Defines the target LIGGGHTS::LIGGGHTS and LIGGGHTS_VERSION.

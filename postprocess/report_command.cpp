@@ -1,12 +1,15 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "report_command.h"
 
 #include "core/input_error.h"
 #include "drawing/display.h"
 #include "drawing/figures.h"
+#include "drawing/parallel_tasks.h"
 #include "drawing/pictures.h"
 #include "drawing/scene.h"
 #include "report/pages.h"
 #include "tables/check_table.h"
+#include "tables/result_sentences.h"
 #include "tables/result_table.h"
 #include "tables/set_comparison.h"
 #include "tables/target_table.h"
@@ -17,6 +20,7 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <optional>
 
@@ -56,8 +60,11 @@ void write_tables(const ReportOptions& settings, const std::vector<SetResult>& s
   if (!theory.empty()) write_text(settings.output / "theory.csv", theory);
   write_text(settings.output / "checks.csv", check_csv(sets));
   write_text(settings.output / "checks.txt", checks);
-  std::cout << table << '\n' << checks << std::flush;
+  write_text(settings.output / "summary.txt", result_sentences(sets, targets));
+  if (!settings.brief) std::cout << table << '\n' << checks << std::flush;
 }
+
+using Tasks = std::vector<std::function<void()>>;
 
 void draw_pictures(const ReportOptions& settings, const std::vector<SetResult>& sets,
                    const Targets& targets)
@@ -65,15 +72,19 @@ void draw_pictures(const ReportOptions& settings, const std::vector<SetResult>& 
   if (settings.draft) draw_drafts();
   const fs::path folder = settings.output / "figures";
   create_folder(folder);
-  draw_figures(folder, triaxial_figures(sets, targets));
-  draw_figures(folder, load_figures(sets, targets));
-  draw_figures(folder, {check_figure(sets)});
-  draw_figures(folder, energy_figures(sets));
-  draw_figures(folder, sleeve_figures(sets, targets));
-  draw_figures(folder, column_series_figures(sets, targets));
-  draw_figures(folder, column_figures(sets, targets));
-  draw_run_pictures(folder, sets);
-  std::cout << "\nPictures: " << folder.string() << '\n';
+  Tasks tasks = run_picture_tasks(folder, sets);  // longest first
+  for (const std::vector<Figure>& figures : {agreement_figures(sets, targets),
+                                             triaxial_figures(sets, targets),
+                                             load_figures(sets, targets),
+                                             {check_figure(sets)},
+                                             energy_figures(sets),
+                                             sleeve_figures(sets, targets),
+                                             column_series_figures(sets, targets),
+                                             column_figures(sets, targets)})
+    for (const Figure& figure : figures)
+      tasks.emplace_back([folder, figure] { draw_figures(folder, {figure}); });
+  do_in_processes(tasks, drawing_processes());
+  if (!settings.brief) std::cout << "\nPictures: " << folder.string() << '\n';
 }
 
 /// One page beside the results of all, one in each case folder.
@@ -81,15 +92,20 @@ void write_reports(const ReportOptions& settings, const std::vector<SetResult>& 
                    const Targets& targets, const std::vector<std::string>& left_out)
 {
   const fs::path report = settings.output / "report.html";
-  write_text(report, series_page(sets, targets, settings.output, left_out));
+  Tasks tasks{[&] { write_text(report, series_page(sets, targets, settings.output, left_out)); }};
   for (const SetResult& set : sets)
-    for (const TestResult& test : set.tests) try {
-        write_text(test.run->folder / "report.html",
-                   case_page(test, targets, settings.output / "figures"));
-      } catch (const InputError& problem) {  // of a run in a folder for reading only
-        std::cerr << "note: no report of '" << test.run->id << "': " << problem.what() << '\n';
-      }
-  std::cout << "Report:   " << report.string() << ", and one in the folder of each case\n";
+    for (const TestResult& test : set.tests)
+      tasks.emplace_back([&] {
+        try {
+          write_text(test.run->folder / "report.html",
+                     case_page(test, targets, settings.output / "figures"));
+        } catch (const InputError& problem) {  // of a run in a folder for reading only
+          std::cerr << "note: no report of '" + test.run->id + "': " + problem.what() + '\n';
+        }
+      });
+  do_in_processes(tasks, drawing_processes());
+  if (!settings.brief)
+    std::cout << "Report:   " << report.string() << ", and one in the folder of each case\n";
 }
 
 constexpr int check_missed = 3;  // exit code
@@ -108,12 +124,16 @@ int run(const ReportOptions& settings, std::vector<std::string> arguments)
   }
   const CheckCount count = count_checks(sets);
   const int code = settings.strict && count.failed > 0 ? check_missed : 0;
-  if (settings.no_pictures) return code;
+  if (settings.no_pictures) {
+    if (settings.brief) std::cout << result_sentences(sets, targets);
+    return code;
+  }
   arguments.emplace_back("--pictures-only");
   provide_display(arguments);
   draw_pictures(settings, sets, targets);
   write_reports(settings, sets, targets, found.left_out);
-  std::cout << count.sentence() << '\n';  // again, as many lines came in between
+  // The checks again, as many lines came in between.
+  std::cout << (settings.brief ? result_sentences(sets, targets) : count.sentence() + '\n');
   return code;
 }
 
@@ -140,6 +160,8 @@ void add_report_options(CLI::App& command, ReportOptions& options)
                   "platen that q is read from [plain: mean, encased: bottom]")
       ->check(CLI::IsMember({"top", "bottom", "mean"}));
   command.add_flag("--no-pictures", options.no_pictures, "tables only");
+  command.add_flag("--brief", options.brief,
+                   "three sentences on the screen instead of the tables, which stay in files");
   command.add_flag("--draft", options.draft,
                    "3-D pictures with ragged edges, in a third of the time");
   command.add_flag("--strict", options.strict,

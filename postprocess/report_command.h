@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "runner/places.h"
@@ -20,6 +21,7 @@ struct ReportOptions {
   bool no_pictures = false;
   bool draft = false;
   bool strict = false;
+  bool brief = false;          ///< the screen gets three sentences, tables go to files alone
   bool pictures_only = false;  ///< set when started again under a virtual display
 };
 

@@ -1,4 +1,7 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "core/program_options.h"
 #include "host/fix_stop_request.h"
+#include "host/lone_rank.h"
 #include "plugin_entry.h"
 #include "style_table.h"
 
@@ -14,6 +17,7 @@
 #include <cstring>
 #include <iostream>
 #include <new>
+#include <string>
 
 using namespace encased_column;
 
@@ -44,6 +48,17 @@ void print_styles(std::ostream& out)
   }
 }
 
+/// What this program was made for and with; MPI as it is here.
+void print_version(std::ostream& out)
+{
+  char mpi[MPI_MAX_LIBRARY_VERSION_STRING] = "";
+  int length = 0;
+  MPI_Get_library_version(mpi, &length);
+  const std::string library(mpi, static_cast<std::size_t>(length));
+  out << "host: " << ENCASE_HOST << "\ncompiler: " << ENCASE_COMPILER
+      << "\nMPI: " << library.substr(0, library.find_first_of(",\n")) << "\n";
+}
+
 /// Tells in screen and log that a signal has ended the run: the exit code is 0 all the same.
 void tell_if_stopped(LAMMPS_NS::LAMMPS& lammps)
 {
@@ -58,21 +73,20 @@ void tell_if_stopped(LAMMPS_NS::LAMMPS& lammps)
 
 int main(int argc, char** argv)
 {
+  if (argc > 1 && is_one_of(argv[1], {"-styles", "-version"})) {  // also where MPI does not start
+    is_one_of(argv[1], {"-styles"}) ? print_styles(std::cout) : print_version(std::cout);
+    return 0;
+  }
   install_stop_handlers();  // a signal may come while MPI begins
-  MPI_Init(&argc, &argv);
+  begin_mpi(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
 
-  if (argc > 1 && is_one_of(argv[1], {"-styles", "-help", "-h"})) {
-    if (rank == 0) {
-      if (!is_one_of(argv[1], {"-styles"}))
-        std::cout << "pair_style gran model linear tangential history [rolling_friction epsd2]\n";
-      print_styles(std::cout);
-    }
-    if (is_one_of(argv[1], {"-styles"})) {
-      MPI_Finalize();
-      return 0;
-    }
+  if (rank == 0 && argc > 1 && is_one_of(argv[1], {"-help", "-h"})) {
+    std::cout << "pair_style gran model linear tangential history [rolling_friction epsd2]\n";
+    for (const ProgramOption& option : program_options)
+      std::cout << option.name << ": " << option.meaning << "\n";
+    print_styles(std::cout);
     std::cout << std::flush;
   }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "plugin_entry.h"
 
 #include "contact/grain_grid.h"

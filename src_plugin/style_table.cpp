@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "style_table.h"
 
 #include "host/granular_host.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "config/calibration_config.h"
 
 #include "config/curve_file.h"

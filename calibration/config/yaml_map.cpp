@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "config/yaml_map.h"
 
 #include "config/units.h"

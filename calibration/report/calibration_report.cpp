@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "report/calibration_report.h"
 
 #include "calibration_page.h"

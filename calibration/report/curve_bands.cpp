@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "report/curve_bands.h"
 
 #include "analysis/sampled_curve.h"

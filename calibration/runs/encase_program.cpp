@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "core/input_error.h"
 #include "files/column_names.h"
 #include "reading/run_record.h"

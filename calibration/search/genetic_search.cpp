@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "search/genetic_search.h"
 
 #include "openturns_bridge.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "search/identifiability.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "search/posterior.h"
 
 #include "openturns_bridge.h"

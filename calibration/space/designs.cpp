@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "space/designs.h"
 
 #include "openturns_bridge.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "surrogate/network.h"
 
 #include "surrogate/cross_validation.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "surrogate/polynomial.h"
 
 #include "openturns_bridge.h"

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/case_folder.h"
 
 #include "core/input_error.h"
 #include "files/restart_file.h"
 #include "runner/case_variables.h"
+#include "runner/last_words.h"
 #include "runner/text_file.h"
 
 #include <algorithm>
@@ -19,41 +21,6 @@ namespace {
 fs::path restart_file(const fs::path& folder, int stage)
 {
   return folder / ("restart_" + std::to_string(stage));
-}
-
-/// The last `most` bytes of `file`, empty if there is none.
-std::string end_of(const fs::path& file, std::streamoff most)
-{
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) return "";
-  const std::streamoff size = stream.tellg();
-  stream.seekg(std::max<std::streamoff>(size - most, 0));
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::string last_lines(const std::string& text, std::size_t most)
-{
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
-    if (!line.empty()) lines.push_back(line);
-  std::string last;
-  for (std::size_t n = lines.size() > most ? lines.size() - most : 0; n < lines.size(); ++n)
-    last += lines[n] + "\n";
-  return last;
-}
-
-/// The lines with ERROR and the two behind each.
-std::string errors_in(const std::string& text)
-{
-  std::string errors;
-  int open = 0;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    if (line.find("ERROR") != std::string::npos) open = 3;
-    if (open-- > 0) errors += line + "\n";
-  }
-  return errors;
 }
 
 /// A folder in which cases were run has their lock.
@@ -212,11 +179,7 @@ bool CaseFolder::was_stopped() const
 
 std::string CaseFolder::last_words() const
 {
-  for (const char* file : {"log.liggghts", "output.txt"}) {
-    const std::string errors = errors_in(end_of(folder_ / file, 20'000));
-    if (!errors.empty()) return last_lines(errors, 6);
-  }
-  return last_lines(end_of(folder_ / "output.txt", 20'000), 6);
+  return last_words_of(folder_ / "log.liggghts", folder_ / "output.txt");
 }
 
 void CaseFolder::note_finished(long seconds) const

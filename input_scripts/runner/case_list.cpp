@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/case_list.h"
 
 #include "core/input_error.h"
@@ -83,15 +84,34 @@ std::string listed_value(const Deck& deck, const std::string& name)
   return value;
 }
 
+/// `deck` with each of its sets of parameters; itself where it has none.
+std::vector<const Deck*> by_set(DeckCatalogue& decks, const Deck& deck)
+{
+  std::vector<const Deck*> columns;
+  for (const std::string& set : deck.choices("parameters"))
+    columns.push_back(&decks.with(deck, {{"parameters", set}}));
+  if (columns.empty()) columns.push_back(&deck);
+  return columns;
+}
+
+/// The value of `name` in each of `columns`; one alone where it is the same in all.
+std::vector<std::string> listed_values(const std::vector<const Deck*>& columns,
+                                       const std::string& name)
+{
+  std::vector<std::string> values;
+  for (const Deck* column : columns) values.push_back(listed_value(*column, name));
+  if (std::count(values.begin(), values.end(), values.front()) == static_cast<long>(values.size()))
+    values.resize(1);
+  return values;
+}
+
 /// One row a variable; where the sets of parameters differ, each has its value.
 void list_variables(std::ostream& out, const Deck& deck, DeckCatalogue& decks)
 {
   const std::vector<std::string> sets = deck.choices("parameters");
   out << "\nVariables of " << deck.name << ", for --set NAME=VALUE (default, unit, meaning"
       << (sets.empty() ? "" : "; where they differ, by the set of parameters") << "):\n";
-  std::vector<const Deck*> columns;
-  for (const std::string& set : sets) columns.push_back(&decks.with(deck, {{"parameters", set}}));
-  if (columns.empty()) columns.push_back(&deck);
+  const std::vector<const Deck*> columns = by_set(decks, deck);
   const auto write_row = [&](const std::string& name, const std::vector<std::string>& values,
                              const std::string& unit, const std::string& meaning) {
     out << "  " << std::left << std::setw(18) << name;
@@ -100,17 +120,24 @@ void list_variables(std::ostream& out, const Deck& deck, DeckCatalogue& decks)
   };
   if (!sets.empty()) write_row("variable", sets, "unit", "meaning");
   for (const DeckVariable& variable : deck.variables) {
-    std::vector<std::string> values;
-    for (const Deck* column : columns) values.push_back(listed_value(*column, variable.name));
-    if (std::count(values.begin(), values.end(), values.front()) ==
-        static_cast<long>(values.size()))
-      values.resize(1);
+    std::vector<std::string> values = listed_values(columns, variable.name);
     values.resize(columns.size());
     write_row(variable.name, values, variable.unit, variable.meaning);
   }
 }
 
 }  // namespace
+
+std::string values_by_set(DeckCatalogue& decks, const Deck& deck, const std::string& name)
+{
+  const std::vector<std::string> sets = deck.choices("parameters");
+  const std::vector<std::string> values = listed_values(by_set(decks, deck), name);
+  if (values.size() == 1) return values.front();
+  std::string text;
+  for (std::size_t n = 0; n < values.size(); ++n)
+    text += (n ? ", " : "") + sets[n] + " " + values[n];
+  return text;
+}
 
 Catalogue read_catalogue(const Places& places, const RunOptions& options)
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/case_process.h"
 
 #include "runner/processes.h"
@@ -51,7 +52,8 @@ CaseProcess::CaseProcess(const CaseFolder& folder, const std::vector<std::string
       host_(host),
       lock_(std::move(lock))
 {
-  pid_ = start_program({command, folder.path(), folder.path() / "output.txt", true, lock_.file()});
+  pid_ = start_program(
+      {command, folder.path(), folder.path() / "output.txt", true, lock_.file(), open_mpi_.path()});
   lock_.note(pid_);
 }
 

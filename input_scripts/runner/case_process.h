@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "runner/case_folder.h"
+#include "runner/passing_folder.h"
 #include "runner/processes.h"
 
 #include <sys/types.h>
@@ -55,6 +57,7 @@ class CaseProcess {
   const CaseFolder* folder_;
   std::filesystem::path host_;
   FolderLock lock_;
+  PassingFolder open_mpi_{"Open MPI works"};
   pid_t pid_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   std::set<Process> asked_;

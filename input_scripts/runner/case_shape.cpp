@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/case_shape.h"
 
 #include "core/input_error.h"
@@ -72,7 +73,7 @@ std::optional<CaseShape> case_shape(const CasePlan& plan)
   const Words packing = deck.words("create_packing", by_density ? "relative_density" : "porosity");
   const auto radius = number_behind(packing, "cylinder"),
              low = number_behind(packing, "cylinder", 2),
-             high = number_behind(packing, "cylinder", 3), rate = deck.number("rate"),
+             high = number_behind(packing, "cylinder", 3), rate = deck.number("approach"),
              strain_end = deck.number("strain_end");
   const std::string gradation = word_behind(packing, "gradation");
   if (!radius || !low || !high || !rate || !strain_end || gradation.empty()) return std::nullopt;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/dry_run.h"
 
 #include "core/input_error.h"
@@ -70,14 +71,14 @@ std::optional<ExpectedCase> expected_case(const CasePlan& plan, const fs::path& 
   return one;
 }
 
+}  // namespace
+
 double free_bytes_of(fs::path folder)
 {
   std::error_code failure;
   while (!fs::exists(folder, failure) && folder.has_relative_path()) folder = folder.parent_path();
   return static_cast<double>(fs::space(folder, failure).available);
 }
-
-}  // namespace
 
 std::string in_thousands(double number)
 {

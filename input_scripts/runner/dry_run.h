@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "runner/case_folder.h"
@@ -28,6 +29,9 @@ std::string dry_run_table(const std::vector<ExpectedCase>& cases, const Schedule
 /// "3 993", "45 MB".
 std::string in_thousands(double number);
 std::string in_bytes(double bytes);
+
+/// What the disk has left where `folder` is or would be made.
+double free_bytes_of(std::filesystem::path folder);
 
 /// `encase run --dry-run`: looks, measures the machine, and prints that table.
 int dry_run(const Places& places, const std::vector<CasePlan>& plans, const RunOptions& options,

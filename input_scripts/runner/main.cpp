@@ -1,12 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The program `encase`: what a user types. Each subcommand reads its options here and does its work
 // elsewhere.
 #include "core/input_error.h"
 #include "report_command.h"
 #include "runner/calibrate_call.h"
+#include "runner/command_line.h"
+#include "runner/doctor_command.h"
+#include "runner/explain_command.h"
 #include "runner/places.h"
 #include "runner/run_command.h"
-
-#include <CLI/CLI.hpp>
+#include "runner/shell_texts.h"
+#include "runner/version.h"
 
 #include <iostream>
 
@@ -14,65 +18,45 @@ using namespace encased_column;
 
 namespace {
 
-/// One sentence for what the reader of options found.
-std::string in_one_sentence(const CLI::ParseError& problem, const CLI::App& app)
-{
-  if (dynamic_cast<const CLI::ExtrasError*>(&problem)) {
-    std::vector<std::string> rest = app.remaining(true);
-    return "unknown option '" + (rest.empty() ? "" : rest.front()) + "', see --help";
-  }
-  const std::string text = problem.what();
-  const std::string name = text.substr(0, text.find_first_of(": "));
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) && name.rfind("--", 0) == 0)
-    return "option '" + name + "' needs a value, see --help";
-  return text + ", see --help";
-}
-
 int complain(const std::string& command, const std::string& sentence)
 {
   std::cerr << "encase" << (command.empty() ? "" : " " + command) << ": " << sentence << '\n';
   return 1;
 }
 
+int carry_out(const CommandLine& line, const std::vector<std::string>& words)
+{
+  const std::string command = line.command();
+  if (command == "texts") return write_shell_texts(line, line.folder), 0;
+  if (command == "calibrate") call_calibrate(line.app.get_subcommands().front()->remaining());
+  const Places places = find_places();
+  if (command == "report") return report_command(line.report, places, words);
+  if (command == "styles") return styles_command(places);
+  if (command == "explain") return explain_command(places, joined(line.word));
+  if (command == "doctor") return doctor_command(places);
+  return command == "list" || line.run.list ? list_command(places, line.run)
+                                            : run_command(places, line.run);
+}
+
 }  // namespace
 
-int main(int count, char** words)
+int main(int count, char** argv)
 {
-  CLI::App app{"Encased granular columns: runs tests of the study or your own, and reports on them",
-               "encase"};
-  app.require_subcommand(1);
-  RunOptions options;
-  ReportOptions report_options;
-  CLI::App* const run = app.add_subcommand(
-      "run",
-      "Runs triaxial tests and leaves tables, pictures and reports in a run folder:\n\n"
-      "    ./input_scripts/run [option ...]\n");
-  add_run_options(*run, options);
-  CLI::App* const list =
-      app.add_subcommand("list", "Lists the cases and the variables of their decks");
-  list->add_option("--cases", options.cases_file, "cases of your own beside ours")
-      ->type_name("FILE");
-  list->add_option("--deck", options.deck, "a deck of your own beside ours")->type_name("FILE");
-  CLI::App* const report =
-      app.add_subcommand("report", "Curves, tables and pictures of triaxial runs");
-  add_report_options(*report, report_options);
-  CLI::App* const calibration = app.add_subcommand(
-      "calibrate", "Parameters of the decks from laboratory results, and how sure they are");
-  calibration->prefix_command()->set_help_flag();
-  const std::string command = count > 1 && words[1][0] != '-' ? words[1] : "";
+  const std::vector<std::string> words(argv + 1, argv + count);
+  CommandLine line;
+  line.add_version([] { return versions(find_places()); });
+  const std::string command = !words.empty() && words.front()[0] != '-' ? words.front() : "";
   try {
-    app.parse(count, words);
+    line.app.parse(count, argv);
   } catch (const CLI::Success& wish) {
-    return app.exit(wish);
+    return line.app.exit(wish);
   } catch (const CLI::ParseError& problem) {
-    return complain(command, in_one_sentence(problem, app));
+    return complain(command, in_one_sentence(problem, line.app, words));
+  } catch (const std::exception& problem) {
+    return complain(command, problem.what());
   }
   try {
-    if (calibration->parsed()) call_calibrate(calibration->remaining());
-    if (report->parsed())
-      return report_command(report_options, find_places(), {words + 1, words + count});
-    return list->parsed() || options.list ? list_command(find_places(), options)
-                                          : run_command(find_places(), options);
+    return carry_out(line, words);
   } catch (const std::exception& problem) {
     return complain(command, problem.what());
   }

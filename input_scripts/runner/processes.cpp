@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/processes.h"
 
 #include "core/input_error.h"
@@ -21,7 +22,8 @@ namespace encased_column {
 namespace {
 
 // In the child, after fork: only calls that are safe there.
-[[noreturn]] void become(char* const* words, const Start& start, pid_t parent)
+[[noreturn]] void become(char* const* words, char* const* environment, const Start& start,
+                         pid_t parent)
 {
   if (start.own_session) {
     setsid();
@@ -51,7 +53,7 @@ namespace {
   if (nothing > STDERR_FILENO) close(nothing);
   if (start.kept_file >= 0) fcntl(start.kept_file, F_SETFD, 0);
   if (!start.folder.empty() && chdir(start.folder.c_str()) != 0) _exit(126);
-  execvp(words[0], words);
+  execvpe(words[0], words, environment);
   _exit(127);
 }
 
@@ -63,17 +65,29 @@ std::vector<char*> pointers_to(const std::vector<std::string>& words)
   return pointers;
 }
 
+/// Ours, with `open_mpi_folder` where Open MPI puts the folders of a run.
+std::vector<std::string> environment_with(const std::filesystem::path& open_mpi_folder)
+{
+  const std::string base = "OMPI_MCA_orte_tmpdir_base=";
+  std::vector<std::string> all;
+  for (char** one = environ; *one; ++one)
+    if (open_mpi_folder.empty() || std::string(*one).rfind(base, 0) != 0) all.push_back(*one);
+  if (!open_mpi_folder.empty()) all.push_back(base + open_mpi_folder.string());
+  return all;
+}
+
 }  // namespace
 
 pid_t start_program(const Start& start)
 {
-  const std::vector<char*> words = pointers_to(start.words);
+  const std::vector<std::string> variables = environment_with(start.open_mpi_folder);
+  const std::vector<char*> words = pointers_to(start.words), environment = pointers_to(variables);
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child < 0)
     throw InputError("the machine must have room for another process, found '" +
                      std::string(std::strerror(errno)) + "', end some or take fewer --jobs");
-  if (child == 0) become(words.data(), start, parent);
+  if (child == 0) become(words.data(), environment.data(), start, parent);
   return child;
 }
 

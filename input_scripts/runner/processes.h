@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include <filesystem>
@@ -16,6 +17,9 @@ struct Start {
   bool own_session =
       false;           ///< Ctrl-C of the terminal does not reach it; it takes SIGUSR2 if we go
   int kept_file = -1;  ///< a descriptor it inherits, besides its screen
+  /// Where Open MPI keeps what it needs during the run: a folder of this program's own, as programs
+  /// that share one remove it under each other. Empty: Open MPI's choice.
+  std::filesystem::path open_mpi_folder;
 };
 
 /// Starts a program with no input; throws InputError when that is impossible. A program that cannot
@@ -48,8 +52,8 @@ struct Process {
 /// `root` and all below it, as /proc tells.
 std::vector<Process> process_tree(pid_t root);
 
-/// Those of `processes` that run `program`: of a case its ranks, without mpirun and the helper
-/// daemon that Open MPI gives a program started alone, for which our signals are not meant.
+/// Those of `processes` that run `program`: of a case its ranks, without mpirun, for which our
+/// signals are not meant.
 std::vector<Process> running(const std::vector<Process>& processes,
                              const std::filesystem::path& program);
 

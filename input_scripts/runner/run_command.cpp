@@ -1,14 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/run_command.h"
 
 #include "core/input_error.h"
+#include "runner/announcement.h"
 #include "runner/case_list.h"
+#include "runner/case_shape.h"
 #include "runner/dry_run.h"
+#include "runner/machine_speed.h"
 #include "runner/processes.h"
 #include "runner/progress.h"
 #include "runner/run_cases.h"
 #include "runner/series_end.h"
 #include "runner/slurm_submit.h"
 #include "runner/text_file.h"
+#include "runner/version.h"
 
 #include <unistd.h>
 
@@ -21,8 +26,6 @@ namespace encased_column {
 
 namespace fs = std::filesystem;
 
-namespace {
-
 fs::path output_folder(const Places& places, const RunOptions& options)
 {
   if (!options.out.empty()) return fs::absolute(options.out).lexically_normal();
@@ -30,6 +33,8 @@ fs::path output_folder(const Places& places, const RunOptions& options)
   const std::string usual = options.is_series() ? options.series : "default";
   return root / "runs" / (options.name.empty() ? usual : options.name);
 }
+
+namespace {
 
 void make_folder(const fs::path& folder)
 {
@@ -64,8 +69,10 @@ std::string version_of_project(const Places& places)
   if (!places.source.empty())
     version = output_of({"git", "-C", places.source, "describe", "--always", "--dirty", "--tags"});
   while (!version.empty() && version.back() == '\n') version.pop_back();
-  return version.empty() ? ENCASE_VERSION : version;
+  return version.empty() ? project_version() : version;
 }
+
+}  // namespace
 
 void set_up_open_mpi(bool crowded)
 {
@@ -78,6 +85,8 @@ void set_up_open_mpi(bool crowded)
   setenv("OMPI_MCA_odls_base_sigkill_timeout", "5", 0);
   if (crowded) setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
 }
+
+namespace {
 
 /// The cases of a command, and what was decided about them.
 struct Decided {
@@ -122,12 +131,47 @@ std::string resolution_of(const Todo& todo)
   return "";
 }
 
+/// `todo` as a dry run would list it.
+std::vector<ExpectedCase> expected(const std::vector<Todo>& todo)
+{
+  std::vector<ExpectedCase> cases;
+  for (const Todo& one : todo) {
+    ExpectedCase expected{one.folder.id(), std::nullopt, 0.0, ""};
+    try {
+      expected.size = expected_size(one.folder.plan());
+    } catch (const InputError&) {
+      // The case itself will refuse what is wrong there, and says where.
+    }
+    if (one.decision.action == Action::resume) expected.done = one.folder.progress().fraction;
+    cases.push_back(std::move(expected));
+  }
+  return cases;
+}
+
+/// Says what is about to run and how long it takes here.
+void announce(const std::vector<Todo>& todo, const Places& places, const Schedule& schedule,
+              const RunOptions& options, const fs::path& series)
+{
+  const std::vector<ExpectedCase> cases = expected(todo);
+  std::optional<double> rate;
+  if (takes_minutes(cases, schedule)) try {
+      rate = measure_machine(places, schedule.ranks * std::min<int>(schedule.jobs, cases.size()));
+    } catch (const InputError&) {
+      // Where no file can be made for it, cases may run all the same.
+    }
+  std::cout << announcement(cases, schedule, rate,
+                            {shown(series), free_bytes_of(series), !options.no_pictures})
+            << std::flush;
+}
+
 /// Runs them; returns the ids of those that failed.
 std::vector<std::string> run_all(std::vector<Todo>& todo, const Places& places,
-                                 const RunOptions& options, int cores, StopSignals& signals)
+                                 const RunOptions& options, const fs::path& series, int cores,
+                                 StopSignals& signals)
 {
   const Schedule schedule = best_schedule(static_cast<int>(todo.size()), cores,
                                           options.rank_count(), options.job_count());
+  if (!options.no_report) announce(todo, places, schedule, options, series);
   std::cout << "Running " << joined(ids_of(todo)) << resolution_of(todo.front())
             << "; at once: " << schedule.jobs << ", MPI ranks each: " << schedule.ranks
             << std::endl;
@@ -180,7 +224,7 @@ int run_command(const Places& places, const RunOptions& options)
       options.report_only ? Decided{} : decide_all(plans, series, places, options);
   if (options.slurm) return submit_to_slurm(places, options, series, ids_of(todo), plans);
   if (!todo.empty())
-    for (const std::string& id : run_all(todo, places, options, cores, signals))
+    for (const std::string& id : run_all(todo, places, options, series, cores, signals))
       failed.push_back(id);
   const bool reports = !options.no_report && failed.size() < plans.size();
   if (!signals.count() && reports && !make_report(places, options, series, signals) &&

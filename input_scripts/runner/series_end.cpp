@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/series_end.h"
 
 #include "runner/case_table.h"
@@ -16,10 +17,10 @@ bool make_report(const Places& places, const RunOptions& options, const fs::path
                  StopSignals& signals)
 {
   std::cout << "Making the table" << (options.no_pictures ? "" : " and the pictures") << std::endl;
-  std::vector<std::string> words{places.program, "report"};
+  std::vector<std::string> words{places.program, "report", "--brief"};
   if (options.no_pictures) words.push_back("--no-pictures");
   words.push_back(series);
-  const pid_t pid = start_program({words, "", "", true, -1});
+  const pid_t pid = start_program({words, "", "", true, -1, ""});
   int code = 0;
   while (!has_ended(pid, code)) {
     if (!signals.wait(0.2)) continue;
@@ -43,14 +44,13 @@ bool tell_outcomes(const std::vector<CasePlan>& plans, const fs::path& series)
 
 void tell_results(const fs::path& series, const RunOptions& options)
 {
-  std::cout << "Run folder: " << shown(series) << '\n';
-  const auto tell = [&](const char* name, const char* file) {
-    if (fs::exists(series / file)) std::cout << name << shown(series / file) << '\n';
-  };
-  tell("Table:      ", "table.txt");
-  if (options.no_pictures) return;
-  tell("Report:     ", "report.html");
-  tell("Pictures:   ", "figures");
+  const bool has_page = !options.no_pictures && fs::exists(series / "report.html");
+  const bool has_table = fs::exists(series / "table.txt");
+  std::cout << "Tables" << (has_page ? " and pictures" : "") << ": " << shown(series) << '\n';
+  if (has_page)
+    std::cout << "Open " << shown(series / "report.html") << '\n';
+  else if (has_table)
+    std::cout << "Read " << shown(series / "table.txt") << '\n';
 }
 
 }  // namespace encased_column

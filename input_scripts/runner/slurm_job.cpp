@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/slurm_job.h"
 
 #include "core/input_error.h"

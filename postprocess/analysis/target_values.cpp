@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "analysis/target_values.h"
 
 #include "analysis/sampled_curve.h"

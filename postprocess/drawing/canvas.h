@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include <filesystem>
@@ -8,8 +9,9 @@ class vtkTextProperty;
 
 namespace encased_column {
 
-/// Sets the size [px] and makes `window` draw without appearing on the display.
-void prepare_window(vtkRenderWindow* window, int width, int height);
+/// Sets the size [px] and makes `window` draw without appearing on the display, with so many
+/// samples a pixel against jagged edges.
+void prepare_window(vtkRenderWindow* window, int width, int height, int samples = 8);
 
 /// DejaVu Sans of `size` [px] in near black, for its Greek letters; VTK's own font where that is
 /// not installed (package fonts-dejavu-core).

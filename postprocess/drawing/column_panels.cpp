@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/column_panels.h"
 
 #include "drawing/labels.h"
@@ -66,13 +67,29 @@ std::vector<TargetRow> rows_of(const ColumnCurve& curve, const Targets& targets,
   return rows;
 }
 
+/// The study's pressures lie closer to one another than a disc is high: each is a bar of its own
+/// width, side by side about the displacement they are told for.
 void mark_gradations(Panel& panel, const ColumnCurves& curves, const Targets& targets)
 {
+  struct Mark {
+    const ColumnCurve* curve;
+    TargetRow row;
+  };
+  std::vector<Mark> marks;
   for (const ColumnCurve& curve : curves)
     for (const TargetRow& row : rows_of(curve, targets, "vertical pressure"))
-      panel.series.push_back(disc("study, " + curve.label + ": " + as_published(row),
-                                  1e3 * *row.words().displacement, *row.published.model,
-                                  curve.color));
+      marks.push_back({&curve, row});
+  const double width = 0.04 * largest_x(panel);  // mm
+  double left = -0.5 * width * static_cast<double>(marks.size());
+  for (const Mark& mark : marks) {
+    const double at = 1e3 * *mark.row.words().displacement + left;
+    const double value = *mark.row.published.model;
+    panel.series.push_back({"study, " + mark.curve->label + ": " + as_published(mark.row),
+                            {at, at + width},
+                            {value, value},
+                            mark.curve->color});
+    left += width;
+  }
 }
 
 }  // namespace

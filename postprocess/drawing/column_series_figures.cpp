@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/column_panels.h"
 
 #include "drawing/by_parameters.h"
@@ -86,15 +87,16 @@ void add(std::vector<Figure>& figures, Figure figure)
 }
 
 void add_comparison(std::vector<Figure>& figures, const Comparison& columns,
-                    const std::string& pressures, const std::string& expansions,
-                    const Targets& targets)
+                    const std::string& pressures, const std::string& numbers,
+                    const std::string& expansions, const Targets& targets)
 {
   if (columns.curves.empty()) return;
   add(figures, {"column_pressure_" + columns.name,
                 "Vertical pressure over displacement, columns " + columns.title,
                 "Counterpart of the study's " + pressures +
                     ". It calls this the pressure at the top; its triaxial tests are read at the "
-                    "base. Black and coloured discs and the grey line: its numbers.",
+                    "base. " +
+                    numbers,
                 {pressure_panel(columns, "upper", &ShearRecord::stress_top, targets),
                  pressure_panel(columns, "lower", &ShearRecord::stress_bottom, targets)}});
   constexpr double early = 0.012, late = 0.024;  // m, of Figures 17 and 19
@@ -114,8 +116,11 @@ std::vector<Figure> column_series_figures_of_set(const std::vector<SetResult>& s
   std::vector<Figure> figures;
   if (sets.front().set != "column") return figures;
   const Comparison by_density = densities(sets, targets), by_gradation = gradations(sets, targets);
-  add_comparison(figures, by_density, "Figures 11a and 16", "Figure 17", targets);
-  add_comparison(figures, by_gradation, "Figure 18", "Figure 19", targets);
+  add_comparison(figures, by_density, "Figures 11a and 16",
+                 "The black disc and the grey line: its numbers.", "Figure 17", targets);
+  add_comparison(figures, by_gradation, "Figure 18",
+                 "Short bars: its numbers at 24 mm, side by side about there.", "Figure 19",
+                 targets);
   std::vector<Panel> panels;
   const auto labels = test_labels(sets);
   for (std::size_t s = 0; s < sets.size(); ++s)

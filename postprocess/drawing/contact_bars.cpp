@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/contact_bars.h"
 
 #include "drawing/grain_spheres.h"

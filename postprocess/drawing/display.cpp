@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/display.h"
 
 #include "core/input_error.h"
+#include "runner/processes.h"
 
+#include <dlfcn.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,10 +14,50 @@
 
 namespace encased_column {
 
-void provide_display(const std::vector<std::string>& arguments)
+namespace {
+
+bool has_display()
 {
   const char* display = std::getenv("DISPLAY");
-  if (display && *display) return;
+  return display && *display;
+}
+
+/// Whether the X server that DISPLAY names answers; by the library that VTK brings.
+bool display_opens()
+{
+  void* const library = dlopen("libX11.so.6", RTLD_NOW);
+  if (!library) return false;
+  using Open = void* (*)(const char*);
+  using Close = int (*)(void*);
+  const auto open = reinterpret_cast<Open>(dlsym(library, "XOpenDisplay"));
+  const auto close = reinterpret_cast<Close>(dlsym(library, "XCloseDisplay"));
+  void* const display = open && close ? open(nullptr) : nullptr;
+  if (display) close(display);
+  return display != nullptr;
+}
+
+}  // namespace
+
+std::string display_problem()
+{
+  if (has_display())
+    return display_opens() ? ""
+                           : "pictures take the display that DISPLAY names, found that '" +
+                                 std::string(std::getenv("DISPLAY")) +
+                                 "' cannot be opened, write 'unset DISPLAY' to draw without one";
+  const Answer answer = answer_of({"xvfb-run", "-a", "true"});
+  if (answer.code == 0) return "";
+  const std::string found =
+      answer.code == 127 ? "neither"
+                         : "that xvfb-run fails: '" +
+                               answer.text.substr(0, answer.text.find_last_not_of('\n') + 1) + "'";
+  return "pictures take a display or the program xvfb-run, found " + found +
+         ", write 'apt-get install xvfb xauth', or '--no-pictures' for the tables alone";
+}
+
+void provide_display(const std::vector<std::string>& arguments)
+{
+  if (has_display()) return;
 
   // The path the kernel knows: the name this was called by may have been found along PATH.
   std::vector<std::string> words{"xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -nolisten tcp",

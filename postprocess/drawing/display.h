@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include <string>
@@ -9,5 +10,9 @@ namespace encased_column {
 /// with `arguments` (without its name) under xvfb-run, in its place: does not return. Throws
 /// InputError if xvfb-run is not installed. Returns at once where there is a display.
 void provide_display(const std::vector<std::string>& arguments);
+
+/// Why no picture can be drawn here, in one sentence; empty if one can. Takes some seconds where
+/// xvfb-run makes the display.
+std::string display_problem();
 
 }  // namespace encased_column

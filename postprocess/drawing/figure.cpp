@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/figure.h"
 
 #include "drawing/canvas.h"
@@ -198,10 +199,11 @@ void draw_figures(const std::filesystem::path& folder, const std::vector<Figure>
   for (const Figure& figure : figures) draw_figure(folder / figure.name, figure.panels);
 }
 
-std::string chart_svg(const Panel& panel)
+std::string chart_svg(const Panel& panel, int height)
 {
-  vtkContextView* view = empty_view(chart_width, chart_height);
-  add_panel(view, panel, vtkRectf(5.0F, 5.0F, chart_width - 20.0F, chart_height - 15.0F),
+  vtkContextView* view = empty_view(chart_width, height);
+  add_panel(view, panel,
+            vtkRectf(5.0F, 5.0F, chart_width - 20.0F, static_cast<float>(height) - 15.0F),
             of_a_page);
   return svg_elements(view->GetRenderWindow());
 }

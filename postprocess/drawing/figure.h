@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include <array>
@@ -60,9 +61,9 @@ void draw_figures(const std::filesystem::path& folder, const std::vector<Figure>
 /// stand.
 constexpr int chart_width = 600, chart_height = 420, chart_top = 22;
 
-/// The drawing of `panel` as elements for an SVG of chart_width and chart_height: axes and curves
+/// The drawing of `panel` as elements for an SVG of chart_width and `height`: axes and curves
 /// in letters large enough for a telephone; title and legend are left to the page around it. Needs
 /// a display.
-std::string chart_svg(const Panel& panel);
+std::string chart_svg(const Panel& panel, int height = chart_height);
 
 }  // namespace encased_column

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "drawing/figure.h"
@@ -10,6 +11,11 @@ namespace encased_column {
 
 // Tests made with several sets of parameters are drawn apart: each figure over axial strain, p or
 // displacement has its panels once for each set, whose name their titles end with.
+
+/// What the first screen of a page shows: agreement, q of both platens over axial strain, a panel
+/// for each kind of triaxial tests, with the laboratory's peaks and its E50. Of columns alone the
+/// first of column_series_figures(). One figure, or none.
+std::vector<Figure> agreement_figures(const std::vector<SetResult>& sets, const Targets& targets);
 
 /// What only encased tests have, a panel for each test: radial_strain (at three heights, with the
 /// study's end values), platens (q of both, with the closed form), radial_profile (along the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/picture_data.h"
 
 #include <vtkBase64Utilities.h>

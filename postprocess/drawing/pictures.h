@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "reading/frame_files.h"
 #include "tables/evaluation.h"
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +32,12 @@ void draw_specimen(const std::filesystem::path& file, const std::filesystem::pat
 bool draw_force_chains(const std::filesystem::path& file, const FrameWithGrains& frame,
                        const std::string& caption);
 
+/// The same for the contacts that bear the study's 20, 40 and 60 N (Figure 13b), side by side with
+/// bars and colors of one scale. Levels below `recorded` [N], from which on the file has all
+/// contacts, are left out, by default those below its weakest; false where none is left.
+bool draw_force_levels(const std::filesystem::path& file, const FrameWithGrains& frame,
+                       const std::string& caption, std::optional<double> recorded);
+
 /// Draws into `file`.png the grains of `grains` (VTK's XML) that lie behind a plane through the
 /// specimen's axis, coloured by the deviatoric strain about each, those of unknown strain grey.
 /// False, and no picture, where the file knows no strain. Needs a display. Throws InputError if the
@@ -36,8 +45,9 @@ bool draw_force_chains(const std::filesystem::path& file, const FrameWithGrains&
 bool draw_shear_band(const std::filesystem::path& file, const std::filesystem::path& grains,
                      const std::string& caption);
 
-/// Draws the 3-D pictures of each run into `folder`, as far as the run wrote what they show, and
-/// says what is left out and why. Needs a display.
-void draw_run_pictures(const std::filesystem::path& folder, const std::vector<SetResult>& sets);
+/// What draws the 3-D pictures of each run into `folder`, a task each, as far as the run wrote what
+/// they show; says what is left out and why. Needs a display. Refers to `sets`.
+std::vector<std::function<void()>> run_picture_tasks(const std::filesystem::path& folder,
+                                                     const std::vector<SetResult>& sets);
 
 }  // namespace encased_column

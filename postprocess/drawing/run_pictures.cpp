@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/pictures.h"
 
 #include "reading/frame_files.h"
@@ -45,27 +46,41 @@ bool force_chains(const fs::path& file, const CaseRun& run)
   return frame && draw_force_chains(file, *frame, run.title);
 }
 
+/// What the run's files of contacts start from is a variable of the decks.
+bool force_levels(const fs::path& file, const CaseRun& run)
+{
+  const auto frame = last_frame_with_grains(run.folder, "contacts");
+  return frame && draw_force_levels(file, *frame, run.title, run.number("chains"));
+}
+
 const std::vector<RunPicture> run_pictures{
     {"specimen_", specimen, "the specimen", "grains/grains.pvd", false},
     {"shear_band_", shear_band, "shear bands", "deviatoric strains with its grains", false},
     {"force_chains_", force_chains, "force chains",
      "contacts/contacts.pvd with grains at the same time, or no contact bears 5 N", false},
+    {"force_levels_", force_levels, "force chains of 20, 40 and 60 N",
+     "contacts/contacts.pvd with grains at the same time, or leaves out forces of 60 N", true},
     {"hoop_tension_", sleeve, "the sleeve", "sleeve/sleeve.pvd with grains at the same time", true},
 };
 
 }  // namespace
 
-void draw_run_pictures(const fs::path& folder, const std::vector<SetResult>& sets)
+std::vector<std::function<void()>> run_picture_tasks(const fs::path& folder,
+                                                     const std::vector<SetResult>& sets)
 {
+  std::vector<std::function<void()>> tasks;
   for (const SetResult& set : sets)
     for (const TestResult& test : set.tests)
       for (const RunPicture& picture : run_pictures) {
         const CaseRun& run = *test.run;
         if (picture.encased_only && !run.encased()) continue;
-        if (!picture.draw(folder / (picture.name + run.id), run))
-          std::cerr << "note: no picture of " << picture.shows << " of '" << run.id
-                    << "': its run wrote no " << picture.takes << '\n';
+        tasks.emplace_back([&run, &picture, file = folder / (picture.name + run.id)] {
+          if (!picture.draw(file, run))
+            std::cerr << "note: no picture of " + picture.shows + " of '" + run.id +
+                             "': its run wrote no " + picture.takes + '\n';
+        });
       }
+  return tasks;
 }
 
 }  // namespace encased_column

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/scene.h"
 
 #include "core/constants.h"
@@ -26,26 +27,62 @@ constexpr int width = 1200, height = 1500;
 int finer = 2;                 // pixels drawn for each one kept, in both directions
 constexpr int bar_parts = 10;  // intervals of the colour bar, at most
 
-void aim(vtkRenderer* renderer, double azimuth)
+/// A window of `across` x `high` pixels kept. Where finer ones are drawn, samples within these
+/// would smooth the edges of letters and facets twice, and spheres not at all, at three times the
+/// cost.
+vtkSmartPointer<vtkRenderWindow> window_of(int across, int high)
+{
+  const auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  constexpr int usual_samples = 8;
+  prepare_window(window, finer * across, finer * high, finer > 1 ? 0 : usual_samples);
+  return window;
+}
+
+/// What a renderer holds [m].
+struct Extent {
+  double center[3];
+  double tall, wide;
+  /// As high as it is seen, from a little above.
+  double seen() const { return tall + 0.3 * wide; }
+};
+
+Extent extent_of(vtkRenderer* renderer)
 {
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
-  const double tall = bounds[5] - bounds[4];
-  const double wide = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  return {
+      {0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5])},
+      bounds[5] - bounds[4],
+      std::max(bounds[1] - bounds[0], bounds[3] - bounds[2])};
+}
+
+/// Aims at `extent`, `aside` of its widths right of its middle; the picture is `needed` [m] high.
+void aim(vtkRenderer* renderer, double azimuth, const Extent& extent, double aside, double needed)
+{
   const double toward[2] = {std::cos(azimuth * pi / 180.0), std::sin(azimuth * pi / 180.0)};
   const double right[2] = {-toward[1], toward[0]};  // in the picture
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetFocalPoint(0.5 * (bounds[0] + bounds[1]) + 0.18 * wide * right[0],
-                        0.5 * (bounds[2] + bounds[3]) + 0.18 * wide * right[1],
-                        0.5 * (bounds[4] + bounds[5]));
+  camera->SetFocalPoint(extent.center[0] + aside * extent.wide * right[0],
+                        extent.center[1] + aside * extent.wide * right[1], extent.center[2]);
   const double* focus = camera->GetFocalPoint();
-  camera->SetPosition(focus[0] + 10.0 * tall * toward[0], focus[1] + 10.0 * tall * toward[1],
-                      focus[2] + 3.0 * tall);
+  camera->SetPosition(focus[0] + 10.0 * extent.tall * toward[0],
+                      focus[1] + 10.0 * extent.tall * toward[1], focus[2] + 3.0 * extent.tall);
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->ParallelProjectionOn();
-  const double needed = std::max(tall + 0.3 * wide, 1.55 * wide * height / width);
-  camera->SetParallelScale(0.5 * 1.12 * needed);
+  camera->SetParallelScale(0.5 * needed);
   renderer->ResetCameraClippingRange();
+}
+
+/// Lays `front` over `back`, with depths of its own.
+void add_layers(vtkRenderWindow* window, vtkRenderer* back, vtkRenderer* front)
+{
+  back->SetBackground(1.0, 1.0, 1.0);
+  window->AddRenderer(back);
+  if (!front) return;
+  window->SetNumberOfLayers(2);
+  front->SetLayer(1);
+  front->SetActiveCamera(back->GetActiveCamera());
+  window->AddRenderer(front);
 }
 
 }  // namespace
@@ -83,7 +120,11 @@ void draw_drafts()
   finer = 1;
 }
 
-void add_color_bar(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title)
+namespace {
+
+/// The bar from the place `left` of its renderer on, `wide`, as shares of its width.
+void add_color_bar(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title,
+                   double left, double wide)
 {
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(map);
@@ -95,15 +136,25 @@ void add_color_bar(vtkRenderer* renderer, vtkColorTransferFunction* map, const s
   bar->SetBarRatio(0.3);
   bar->SetMaximumNumberOfColors(256);
   bar->SetTextPad(6 * finer);
-  bar->SetPosition(0.79, 0.25);
-  bar->SetPosition2(0.17, 0.5);
+  bar->SetPosition(left, 0.25);
+  bar->SetPosition2(wide, 0.5);
   set_font(bar->GetTitleTextProperty(), 26 * finer);
   set_font(bar->GetLabelTextProperty(), 24 * finer);
   bar->GetTitleTextProperty()->SetJustificationToLeft();
   renderer->AddActor2D(bar);
 }
 
-void add_caption(vtkRenderer* renderer, const std::string& caption)
+}  // namespace
+
+void add_color_bar(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title)
+{
+  add_color_bar(renderer, map, title, 0.79, 0.17);
+}
+
+namespace {
+
+/// Lines from the height `upper` of its renderer down, as a share of it.
+void add_caption(vtkRenderer* renderer, const std::string& caption, double upper)
 {
   vtkNew<vtkTextActor> text;
   text->SetInput(caption.c_str());
@@ -112,25 +163,67 @@ void add_caption(vtkRenderer* renderer, const std::string& caption)
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text->GetTextProperty()->SetVerticalJustificationToTop();
   text->GetTextProperty()->SetLineSpacing(1.3);
-  text->SetPosition(0.5, 0.98);
+  text->SetPosition(0.5, upper);
   renderer->AddActor2D(text);
+}
+
+}  // namespace
+
+void add_caption(vtkRenderer* renderer, const std::string& caption)
+{
+  add_caption(renderer, caption, 0.98);
 }
 
 void draw_scene(const std::filesystem::path& file, vtkRenderer* renderer, double azimuth,
                 vtkRenderer* backdrop)
 {
   vtkRenderer* const lowest = backdrop ? backdrop : renderer;
-  lowest->SetBackground(1.0, 1.0, 1.0);
-  vtkNew<vtkRenderWindow> window;
-  prepare_window(window, finer * width, finer * height);
-  window->AddRenderer(lowest);
-  aim(lowest, azimuth);
-  if (backdrop) {  // a layer above has depths of its own
-    window->SetNumberOfLayers(2);
-    renderer->SetLayer(1);
-    renderer->SetActiveCamera(backdrop->GetActiveCamera());
-    window->AddRenderer(renderer);
+  const vtkSmartPointer<vtkRenderWindow> window = window_of(width, height);
+  add_layers(window, lowest, backdrop ? renderer : nullptr);
+  const Extent extent = extent_of(lowest);
+  const double needed = std::max(extent.seen(), 1.55 * extent.wide * height / width);
+  aim(lowest, azimuth, extent, 0.18, 1.12 * needed);
+  write_png(file, window, finer);
+}
+
+void draw_scenes(const std::filesystem::path& file, const std::vector<SceneView>& views,
+                 double azimuth, const std::string& caption, vtkColorTransferFunction* map,
+                 const std::string& title)
+{
+  constexpr int all_wide = 1500, bar_wide = 230, least_high = 700, most_high = 1300;  // px
+  constexpr int heading = 70, labels = 80;  // px above the views and in each above its bodies
+  const int view_wide = (all_wide - bar_wide) / static_cast<int>(views.size());
+  const Extent extent = extent_of(views.front().backdrop);
+  const double across = 1.15 * extent.wide;  // m, seen in a view at least
+  const int high = std::clamp(static_cast<int>(1.06 * extent.seen() * view_wide / across) + labels,
+                              least_high, most_high);
+  const double upper = static_cast<double>(high) / (high + heading);
+  const double needed =
+      std::max(1.06 * extent.seen() * high / (high - labels), across * high / view_wide);
+
+  const vtkSmartPointer<vtkRenderWindow> window = window_of(all_wide, high + heading);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const double left = static_cast<double>(i) * view_wide / all_wide;
+    const double right = left + static_cast<double>(view_wide) / all_wide;
+    add_layers(window, views[i].backdrop, views[i].renderer);
+    for (vtkRenderer* renderer : {views[i].backdrop, views[i].renderer})
+      renderer->SetViewport(left, 0.0, right, upper);
+    add_caption(views[i].renderer, views[i].label);
+    aim(views[i].backdrop, azimuth, extent, 0.0, needed);
+    // Down, for the label above.
+    vtkCamera* camera = views[i].backdrop->GetActiveCamera();
+    camera->SetWindowCenter(0.0, static_cast<double>(labels) / high);
   }
+  vtkNew<vtkRenderer> beside, above;
+  beside->SetBackground(1.0, 1.0, 1.0);
+  const double end = static_cast<double>(views.size()) * view_wide / all_wide;
+  beside->SetViewport(end, 0.0, 1.0, upper);
+  add_color_bar(beside, map, title, 0.05, 0.9);
+  above->SetBackground(1.0, 1.0, 1.0);
+  above->SetViewport(0.0, upper, 1.0, 1.0);
+  add_caption(above, caption, 0.75);
+  window->AddRenderer(beside);
+  window->AddRenderer(above);
   write_png(file, window, finer);
 }
 

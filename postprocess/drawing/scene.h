@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 class vtkColorTransferFunction;
 class vtkDataArray;
@@ -37,5 +39,19 @@ constexpr double from_front = -90.0;
 /// the picture must hold then, lies behind all of it.
 void draw_scene(const std::filesystem::path& file, vtkRenderer* renderer, double azimuth,
                 vtkRenderer* backdrop = nullptr);
+
+/// One of several pictures side by side.
+struct SceneView {
+  vtkRenderer* renderer;
+  vtkRenderer* backdrop;  ///< all that it must hold lies in it
+  std::string label;      ///< above it, lines of its own
+};
+
+/// Draws `views` side by side into `file`.png, 1500 px wide and as high as the bodies need, at one
+/// scale and seen as draw_scene() does, with `caption` above them and a bar of the colors of `map`,
+/// titled `title`, right of them.
+void draw_scenes(const std::filesystem::path& file, const std::vector<SceneView>& views,
+                 double azimuth, const std::string& caption, vtkColorTransferFunction* map,
+                 const std::string& title);
 
 }  // namespace encased_column

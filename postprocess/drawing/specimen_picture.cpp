@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/pictures.h"
 
 #include "drawing/grain_spheres.h"

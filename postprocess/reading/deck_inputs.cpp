@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "reading/deck_inputs.h"
 
 #include "runner/deck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "reading/run_record.h"
 
 #include <algorithm>

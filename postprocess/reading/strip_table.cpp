@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "reading/strip_table.h"
 
 #include "reading/text_table.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "report/pages.h"
 
 #include "core/input_error.h"
@@ -9,6 +10,7 @@
 #include "tables/page_tables.h"
 #include "tables/result_notes.h"
 #include "tables/result_table.h"
+#include "tables/run_variables.h"
 #include "tables/theory_table.h"
 
 #include <algorithm>
@@ -154,13 +156,14 @@ std::string case_page(const TestResult& test, const Targets& targets,
   if (!run.reproduces.empty()) subtitle += "; reproduces " + run.reproduces + " of the study";
   page.set("subtitle", subtitle + ".");
   page.set("encased", run.encased() ? PageData::type::bool_true : PageData::type::bool_false);
+  set_agreement(page, sets, targets, run_variables({&run}));
   page.set("facts", facts(test, targets, record));
   set_results(page, test, sets, targets);
   set_run(page, test, sets, record);
 
   std::vector<Figure> all;
   const auto set_figures = [&](const std::string& name, const std::vector<Figure>& figures) {
-    page.set(name, figures_data(figures));
+    page.set(name, figures_data(figures, run_variables({&run})));
     std::copy(figures.begin(), figures.end(), std::back_inserter(all));
   };
   set_figures("load_figures", triaxial_curves(sets, targets));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "report/page_parts.h"
 
 #include <algorithm>
@@ -34,7 +35,11 @@ const std::vector<Counterpart> counterparts{
      {"radial_profile", "column_profile"},
      Needs::sleeve},
     {"12", "axial and radial stress along the height", {"column_stress"}, Needs::spheres},
-    {"13", "contact forces and force chains", {"contact_force"}, Needs::spheres, {"force_chains"}},
+    {"13",
+     "contact forces and force chains",
+     {"contact_force"},
+     Needs::spheres,
+     {"force_chains", "force_levels"}},
     {"14", "porosity over displacement and height", {"column_porosity"}, Needs::spheres},
     {"15",
      "coordination number over displacement and height",

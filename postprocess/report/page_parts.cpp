@@ -1,10 +1,14 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "report/page_parts.h"
 
+#include "drawing/figures.h"
 #include "page_templates.h"
+#include "tables/agreement.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
 #include <stdexcept>
 
 namespace encased_column {
@@ -79,19 +83,51 @@ PageData key_of(const Series& series)
   return key;
 }
 
-PageData panel_data(const Panel& panel)
+std::string axes_of(const Panel& panel)
+{
+  return panel.y.title + " over " + panel.x.title;
+}
+
+/// The panel without its legend.
+PageData chart_data(const Panel& panel, int height)
 {
   PageData data{"panel_title", panel.title};
   data.set("width", std::to_string(chart_width));
   data.set("top", std::to_string(chart_top));
-  data.set("height", std::to_string(chart_height - chart_top));
-  data.set("alternative", panel.title + ": " + panel.y.title + " over " + panel.x.title);
-  data.set("drawing", chart_svg(panel));
-  PageData keys{PageData::type::list};
-  for (const Series& series : panel.series)
-    if (!series.label.empty()) keys << key_of(series);
-  data.set("keys", keys);
+  data.set("height", std::to_string(height - chart_top));
+  data.set("alternative", panel.title + ": " + axes_of(panel));
+  data.set("drawing", chart_svg(panel, height));
   return data;
+}
+
+/// The legend of `panels`, each label once.
+PageData keys_of(const std::vector<Panel>& panels)
+{
+  PageData keys{PageData::type::list};
+  std::set<std::string> known{""};
+  for (const Panel& panel : panels)
+    for (const Series& series : panel.series)
+      if (known.insert(series.label).second) keys << key_of(series);
+  return keys;
+}
+
+PageData panel_data(const Panel& panel)
+{
+  PageData data = chart_data(panel, chart_height);
+  data.set("keys", keys_of({panel}));
+  return data;
+}
+
+/// What the axes of `figure` show, with units.
+std::string axes_of(const Figure& figure)
+{
+  std::string text;
+  std::set<std::string> known;
+  for (const Panel& panel : figure.panels)
+    if (known.insert(axes_of(panel)).second) text += (text.empty() ? "" : "; ") + axes_of(panel);
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
 }
 
 }  // namespace
@@ -138,13 +174,15 @@ Rows without(const Rows& rows, const std::string& heading)
   return rest;
 }
 
-PageData figures_data(const std::vector<Figure>& figures)
+PageData figures_data(const std::vector<Figure>& figures, const std::string& variables)
 {
   PageData list{PageData::type::list};
   for (const Figure& figure : figures) {
     PageData data{"figure_title", figure.title};
     data.set("figure_id", figure.name);
     data.set("figure_caption", figure.caption);
+    data.set("figure_axes", axes_of(figure));
+    data.set("figure_variables", variables);
     PageData panels{PageData::type::list};
     for (const Panel& panel : figure.panels) panels << panel_data(panel);
     data.set("panels", panels);
@@ -153,6 +191,42 @@ PageData figures_data(const std::vector<Figure>& figures)
     list << data;
   }
   return list;
+}
+
+void set_agreement(PageData& page, const std::vector<SetResult>& sets, const Targets& targets,
+                   const std::string& variables)
+{
+  const std::vector<AgreementNumber> found = agreement_numbers(sets, targets);
+  page.set("agreement_sentence", agreement_sentence(found));
+  PageData numbers{PageData::type::list};
+  for (const AgreementNumber& number : found) {
+    PageData tile{"tests", number.tests};
+    tile.set("quantity", number.quantity);
+    tile.set("found", number.found);
+    tile.set("unit", number.unit);
+    tile.set("published", number.published);
+    tile.set("whose", number.of_laboratory ? "lab" : "study");
+    tile.set("ratio", fixed(number.ratio, 2));
+    tile.set("near", number.near() ? PageData::type::bool_true : PageData::type::bool_false);
+    numbers << tile;
+  }
+  page.set("has_numbers", found.empty() ? PageData::type::bool_false : PageData::type::bool_true);
+  page.set("numbers", numbers);
+
+  constexpr int height = 340;  // so that two of them stand in the first screen of a telephone
+  PageData figures{PageData::type::list};
+  for (const Figure& figure : agreement_figures(sets, targets)) {
+    PageData data{"figure_title", figure.title};
+    data.set("figure_caption", figure.caption);
+    data.set("figure_axes", axes_of(figure));
+    data.set("figure_variables", variables);
+    PageData panels{PageData::type::list};
+    for (const Panel& panel : figure.panels) panels << chart_data(panel, height);
+    data.set("panels", panels);
+    data.set("keys", keys_of(figure.panels));
+    figures << data;
+  }
+  page.set("agreement_figure", figures);
 }
 
 PageData pictures_data(const std::vector<Picture>& pictures)
@@ -164,6 +238,7 @@ PageData pictures_data(const std::vector<Picture>& pictures)
     data.set("picture_height", std::to_string(picture.image.height));
     data.set("picture_caption", picture.caption);
     data.set("picture_alternative", picture.alternative);
+    data.set("wide_picture", picture.wide ? PageData::type::bool_true : PageData::type::bool_false);
     list << data;
   }
   return list;
@@ -185,6 +260,9 @@ std::string filled(const char* page, PageData data)
   part("table", page_templates::table);
   part("figure", page_templates::figure);
   part("pictures", page_templates::pictures);
+  part("legend", page_templates::legend);
+  part("agreement", page_templates::agreement);
+  data.set("script", page_templates::sort_script);
   data.set("style", page_templates::style);
   mustache form{std::string(page)};
   if (!form.is_valid()) throw std::logic_error("template of a page: " + form.error_message());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "drawing/figure.h"
@@ -25,8 +26,13 @@ PageData table_data(const std::string& id, const std::string& caption, const Row
 /// `rows` without the column called `heading`.
 Rows without(const Rows& rows, const std::string& heading);
 
-/// The figures with their charts drawn. Needs a display.
-PageData figures_data(const std::vector<Figure>& figures);
+/// The figures with their charts drawn, of runs with `variables`. Needs a display.
+PageData figures_data(const std::vector<Figure>& figures, const std::string& variables);
+
+/// Fills the part of a page that says whether `sets` agree with the laboratory: a sentence, a row
+/// of numbers and one figure. Needs a display.
+void set_agreement(PageData& page, const std::vector<SetResult>& sets, const Targets& targets,
+                   const std::string& variables);
 
 /// A 3-D picture and what it shows.
 struct Picture {
@@ -34,6 +40,7 @@ struct Picture {
   std::string title;  ///< in a word or two
   PictureData image;
   std::string caption, alternative;
+  bool wide;  ///< takes a row of its own
 };
 PageData pictures_data(const std::vector<Picture>& pictures);
 

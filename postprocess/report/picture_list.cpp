@@ -1,4 +1,7 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "report/page_parts.h"
+
+#include "tables/run_variables.h"
 
 namespace encased_column {
 
@@ -7,6 +10,7 @@ namespace {
 struct Kind {
   std::string name;  ///< of the file, before _ and the run's id
   std::string title, shows, caption;
+  bool wide = false;
 };
 
 const std::vector<Kind> kinds{
@@ -25,6 +29,12 @@ const std::vector<Kind> kinds{
      "before the outline of the specimen",
      "Counterpart of the study's Figure 13; contacts that bear less than 5 N, or than the run "
      "wrote, are left out."},
+    {"force_levels", "chains of 20, 40 and 60 N",
+     "Contacts at the end of the run that bear 20, 40 and 60 N, side by side; bars and colours [N] "
+     "at one scale, before the outline of the specimen",
+     "Counterpart of the study's Figure 13b. Forces grow with the square of the grains' size: at a "
+     "resolution coarser than paper more contacts bear them.",
+     true},
 };
 
 }  // namespace
@@ -36,8 +46,9 @@ std::vector<Picture> pictures_of(const CaseRun& run, const std::filesystem::path
     const std::filesystem::path file = folder / (kind.name + "_" + run.id + ".png");
     if (!std::filesystem::exists(file)) continue;
     pictures.push_back({kind.name, kind.title, picture_data(file, width),
-                        run.title + ". " + kind.shows + ". " + kind.caption,
-                        kind.shows + ": " + run.title});
+                        run.title + ". " + kind.shows + ". " + kind.caption +
+                            " Run: " + run_variables({&run}) + '.',
+                        kind.shows + ": " + run.title, kind.wide});
   }
   return pictures;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "report/pages.h"
 
 #include "core/input_error.h"
@@ -9,9 +10,13 @@
 #include "tables/page_tables.h"
 #include "tables/result_notes.h"
 #include "tables/result_table.h"
+#include "tables/run_variables.h"
 #include "tables/set_comparison.h"
 #include "tables/target_table.h"
 #include "tables/theory_table.h"
+
+#include <algorithm>
+#include <cctype>
 
 namespace encased_column {
 
@@ -57,12 +62,27 @@ std::vector<std::string> as_words(const TestResult& test, const RunRecord& recor
 /// "Plain and encased triaxial tests, encased columns", as far as `sets` hold them.
 std::string kinds_of(const std::vector<SetResult>& sets)
 {
-  std::string text;
-  for (const SetResult& set : sets) {
-    const std::string heading = tests_heading(set);
-    if (text.find(heading) == std::string::npos) text += (text.empty() ? "" : "; ") + heading;
-  }
+  const auto have = [&](const std::string& name) {
+    return std::any_of(sets.begin(), sets.end(),
+                       [&](const SetResult& set) { return set.set == name; });
+  };
+  std::vector<std::string> kinds;
+  if (have("plain_triaxial") && have("encased_triaxial"))
+    kinds.push_back("plain and encased triaxial tests");
+  else if (have("plain_triaxial") || have("encased_triaxial"))
+    kinds.push_back(have("plain_triaxial") ? "plain triaxial tests" : "encased triaxial tests");
+  if (have("column")) kinds.push_back("encased columns");
+  std::string text = kinds.size() > 1 ? kinds[0] + ", " + kinds[1] : kinds[0];
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
+}
+
+std::vector<const CaseRun*> runs_of(const std::vector<SetResult>& sets)
+{
+  std::vector<const CaseRun*> runs;
+  for (const SetResult& set : sets)
+    for (const TestResult& test : set.tests) runs.push_back(test.run);
+  return runs;
 }
 
 void set_tests(PageData& page, const std::vector<SetResult>& sets, const fs::path& folder)
@@ -141,6 +161,8 @@ std::string series_page(const std::vector<SetResult>& sets, const Targets& targe
   page.set("subtitle", std::to_string(tests) + (tests == 1 ? " test" : " tests") +
                            " of cinder gravel beside the laboratory and the numerical model of "
                            "the study.");
+  const std::string variables = run_variables(runs_of(sets));
+  set_agreement(page, sets, targets, variables);
   set_tests(page, sets, folder);
   page.set("left_out", list_of("sentence", left_out));
   page.set("study",
@@ -149,7 +171,7 @@ std::string series_page(const std::vector<SetResult>& sets, const Targets& targe
                       "there is none",
                       target_rows(sets, targets), "set"));
   set_results(page, sets, targets);
-  page.set("figures", figures_data(series_figures(sets, targets)));
+  page.set("figures", figures_data(series_figures(sets, targets), variables));
   page.set("has_pictures",
            pictures.empty() ? PageData::type::bool_false : PageData::type::bool_true);
   page.set("picture_list", pictures_data(pictures));

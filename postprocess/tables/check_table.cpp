@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "tables/check_table.h"
 
 #include "core/input_error.h"

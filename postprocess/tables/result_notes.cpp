@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "tables/result_notes.h"
 
 #include "core/input_error.h"

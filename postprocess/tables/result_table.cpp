@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "tables/result_table.h"
 
 #include "core/constants.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "tables/test_density.h"
 
 #include "analysis/relative_density.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "tables/theory_table.h"
 
 #include "analysis/encasement.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "contact/contact_context.h"
 
 #include "host/contact_law.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "contact/contact_memory_fix.h"
 
 #include "host/grains_and_box.h"

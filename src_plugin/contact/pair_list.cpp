@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "contact/pair_list.h"
 
 #include "core/input_error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Vectors of three spread over the halves of a vector register would keep rows of them from it.
 // Nothing here may depend on how Eigen aligns larger matrices, which this changes.
 #define EIGEN_DONT_VECTORIZE

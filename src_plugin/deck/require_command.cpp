@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "deck/require_command.h"
 
 #include "deck/variable_rule.h"

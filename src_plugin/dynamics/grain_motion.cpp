@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "dynamics/grain_motion.h"
 
 #include "dynamics/inertia.h"

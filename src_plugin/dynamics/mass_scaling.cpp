@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "dynamics/mass_scaling.h"
 
 #include "core/constants.h"

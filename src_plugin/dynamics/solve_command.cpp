@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "dynamics/solve_command.h"
 
 #include "core/input_error.h"

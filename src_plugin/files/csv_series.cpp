@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "files/csv_series.h"
 
 #include "files/atomic_file.h"

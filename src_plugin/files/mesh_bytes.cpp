@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "files/mesh_bytes.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "files/vtk_files.h"
 
 #include "core/vec3.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "host/contact_history.h"
 
 #include "host/contact_observer.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "host/fix_stop_request.h"
 
 #include "signal_handling.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "host/force_start.h"
 
 #include "host/contact_observer.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 // The templates with which the host builds granular pair styles and walls, in the order in which

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 // The host's headers are not self-contained: this one includes what every adapter needs, in an

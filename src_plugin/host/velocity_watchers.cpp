@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "host/velocity_watchers.h"
 
 #include "output.h"

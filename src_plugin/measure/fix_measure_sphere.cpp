@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "measure/fix_measure_sphere.h"
 
 #include "core/input_error.h"

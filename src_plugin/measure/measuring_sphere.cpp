@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "measure/measuring_sphere.h"
 
 #include "measure/seen_contact.h"

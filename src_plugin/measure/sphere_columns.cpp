@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "files/column_names.h"
 #include "measure/sphere_sampler.h"
 

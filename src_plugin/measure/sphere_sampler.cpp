@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "measure/sphere_sampler.h"
 
 #include "core/input_error.h"

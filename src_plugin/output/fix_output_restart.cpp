@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "output/fix_output_restart.h"
 
 #include "core/input_error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "servo/create_wall_mesh_command.h"
 
 #include "core/input_error.h"

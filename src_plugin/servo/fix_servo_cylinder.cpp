@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "servo/fix_servo_cylinder.h"
 
 #include "core/input_error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "servo/fix_servo_platen.h"
 
 #include "host/grains_and_box.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "servo/rigid_wall.h"
 
 #include "host/messages.h"

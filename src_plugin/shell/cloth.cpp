@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/cloth.h"
 
 namespace encased_column {
@@ -50,12 +51,6 @@ double Cloth::warned_of(int direction) const
   return table.empty() ? std::numeric_limits<double>::infinity() : table.back().tension;
 }
 
-EvenStiffness Cloth::stiffness(const FacetMemory& memory) const
-{
-  return EvenStiffness::of(stiffness_[0], stiffness_[1], poisson_, whole_.shear,
-                           1.0 - memory.damage[0], 1.0 - memory.damage[1]);
-}
-
 double Cloth::snap_ratio(int direction, const ClothFacet& facet) const
 {
   const double strength = this->strength(direction, facet);
@@ -65,49 +60,74 @@ double Cloth::snap_ratio(int direction, const ClothFacet& facet) const
 
 double Cloth::limit(int direction, const ClothFacet& facet, const FacetMemory& memory) const
 {
-  const double d = memory.damage[direction];
-  const double strength = this->strength(direction, facet);
-  // The line of the crack in terms of damage: S = N_u / (1 - d (1 - r)), N = (1 - d) S.
-  if (d > 0.0) return (1.0 - d) * strength / (1.0 - d * (1.0 - snap_ratio(direction, facet)));
   const double table = curve_[direction].limit(memory.plastic_strain[direction]);
-  return has_strength(direction) ? std::min(table, strength) : table;
+  return has_strength(direction) ? std::min(table, strength(direction, facet)) : table;
 }
 
-double Cloth::follow(const PlaneVector& force, const ClothFacet& facet, FacetMemory& memory) const
+YieldLine Cloth::line(int direction, const ClothFacet& facet, const FacetMemory& memory) const
+{
+  constexpr double never = YieldLine::never;
+  const double plastic = memory.plastic_strain[direction], left = memory.left();
+  if (left < 1.0) return {0.0, left > 0.0 ? -never : never, 0.0, -never};
+  YieldLine line = curve_[direction].line(plastic);
+  if (!has_strength(direction)) return line;
+  const double strength = this->strength(direction, facet);
+  const double reached = line.slope > 0.0 ? line.origin + (strength - line.tension) / line.slope
+                         : line.tension < strength ? never
+                                                   : line.origin;
+  if (plastic >= reached) return {0.0, strength, 0.0, tears() ? -never : never};
+  line.end = std::min(line.end, reached);
+  return line;
+}
+
+/// Lets plastic strain grow under a tension [N/m] above its limit; returns the energy per area.
+double Cloth::yield(int i, double tension, const ClothFacet& facet, FacetMemory& memory) const
+{
+  double& plastic = memory.plastic_strain[i];
+  const double from = limit(i, facet, memory), strength = this->strength(i, facet);
+  double growth = curve_[i].growth(plastic, tension, relaxation_[i]);
+  if (has_strength(i) && !tears()) growth = std::max(growth, (tension - strength) / relaxation_[i]);
+  // Before it tears a strip has the plastic strain of its strength, no more.
+  if (has_strength(i) && tears() && curve_[i].limit(plastic + growth) > strength)
+    growth = curve_[i].growth(plastic, strength, 0.0);
+  plastic += growth;
+  return 0.5 * (from + limit(i, facet, memory)) * growth;
+}
+
+/// The damage that tensions (hoop, axial) of the whole cloth [N/m] ask for by one of them.
+double Cloth::damage_of(int i, const double (&whole)[2], const ClothFacet& facet) const
+{
+  const double strength = this->strength(i, facet);
+  if (!has_strength(i) || !(whole[i] > strength)) return 0.0;
+  const double contraction = poisson_ * (i == 0 ? 1.0 : stiffness_[1] / stiffness_[0]);
+  const double softened = snap_ratio(i, facet) * (whole[i] - contraction * whole[1 - i]);
+  return softened < strength ? (whole[i] - strength) / (whole[i] - softened) : 1.0;
+}
+
+double Cloth::follow(const ClothAnswer& answer, const ClothFacet& facet, FacetMemory& memory) const
 {
   double taken = 0.0;
-  const FacetMemory before = memory;
-  for (int i = 0; i < 2; ++i) {
-    if (!(force(i) > limit(i, facet, memory))) continue;
-    double& plastic = memory.plastic_strain[i];
-    double& damage = memory.damage[i];
-    double tension = force(i);
-    const double strength = this->strength(i, facet);
-    if (damage == 0.0) {
-      double growth = curve_[i].growth(plastic, tension, relaxation_[i]);
-      if (has_strength(i) && !tears())
-        growth = std::max(growth, (tension - strength) / relaxation_[i]);
-      // Before it tears a strip has the plastic strain of its strength, no more.
-      if (has_strength(i) && tears() && curve_[i].limit(plastic + growth) > strength)
-        growth = curve_[i].growth(plastic, strength, 0.0);
-      const double from = limit(i, facet, memory);
-      plastic += growth;
-      taken += 0.5 * (from + limit(i, facet, memory)) * growth;
-      tension -= relaxation_[i] * growth;
-    }
-    if (!tears() || !has_strength(i) || (damage == 0.0 && tension <= strength)) continue;
-    const double whole = tension / (1.0 - damage);
-    const double now = std::min((whole - strength) / (whole * (1.0 - snap_ratio(i, facet))), torn);
-    if (now <= damage) continue;
-    taken += 0.5 * whole * whole / stiffness_[i] * (now - damage);
-    damage = now;
+  const double left = memory.left();
+  if (!(left > 0.0)) return taken;
+  double whole[2] = {answer.force(0) / left, answer.force(1) / left};
+  for (int i = 0; i < 2 && left == 1.0; ++i) {
+    if (!(whole[i] > limit(i, facet, memory))) continue;
+    const double before = memory.plastic_strain[i];
+    taken += yield(i, whole[i], facet, memory);
+    whole[i] -= relaxation_[i] * (memory.plastic_strain[i] - before);
   }
-  if (memory.damage == before.damage) return taken;
-  // What the shear has stored falls with its stiffness.
-  const EvenStiffness then = stiffness(before);
-  const double shear = 0.5 * then.deviatoric * then.shear;
-  const double left = stiffness(memory).deviatoric / then.deviatoric;
-  return taken + 0.5 * force(2) * force(2) / shear * (1.0 - left);
+  if (!tears()) return taken;
+  for (int i = 0; i < 2; ++i)
+    memory.damage[i] = std::max(memory.damage[i], damage_of(i, whole, facet));
+  const double now = memory.left();
+  if (now == 1.0) return taken;
+  const double shear = answer.elastic_shear, size = std::abs(shear);
+  if (left == 1.0) memory.most_shear = size;
+  taken += answer.energy * (1.0 - now / left);
+  if (size <= memory.most_shear) return taken;
+  const double kept = std::copysign(memory.most_shear, shear);
+  memory.slip += shear - kept;
+  return taken + 0.5 * answer.force(2) * now / left * (1.0 + kept / shear) * (shear - kept);
 }
 
 void Cloth::require_no_snap_back(const ClothFacet& facet) const

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "shell/relaxed_membrane.h"
 #include "shell/strip_curve.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -28,7 +30,19 @@ struct ClothConstants {
 /// What a facet remembers of its past, (hoop, axial).
 struct FacetMemory {
   std::array<double, 2> plastic_strain{};  ///< [-]
-  std::array<double, 2> damage{};          ///< 0 whole to 1 parted [-]
+  std::array<double, 2> damage{};          ///< by the tension of a direction, 0 to 1 [-]
+  double slip = 0.0;                       ///< shear strain by which its tear has slid [-]
+  double most_shear = 0.0;                 ///< elastic shear strain it had when the tear began [-]
+
+  /// What is left of all its stiffness, of membrane and bending alike: the worse damage counts.
+  double left() const { return 1.0 - std::max(damage[0], damage[1]); }
+};
+
+/// How a facet stands in a step.
+struct ClothAnswer {
+  PlaneVector force;     ///< (N_hoop, N_axial, N_shear) [N/m]
+  double elastic_shear;  ///< the part of its shear strain that stores energy [-]
+  double energy;         ///< stored per area, bending included [J/m^2]
 };
 
 /// What sets a facet apart from others of its cloth, (hoop, axial).
@@ -44,15 +58,17 @@ struct ClothFacet {
 /// criterion of largest stress), at the strength it yields, tears or is warned of. While it tears
 /// the tension falls in a straight line with the opening w of the crack, N = N_u (1 - w / w_c), w_c
 /// = 2 G_f / N_u, spread over the width h of a facet (crack band: Bazant and Oh, Mater. Struct. 16
-/// (1983) 155-177); unloading is towards no strain (damage d, N = (1 - d) J (e - e_plastic)). With
-/// the tension S = N / (1 - d) of a whole strip, r = h N_u^2 / (2 G_f J),
+/// (1983) 155-177); unloading is towards no elastic strain e, w = h d e. A damage takes its share
+/// of the whole facet, shear, the other direction and bending too: once torn its strain is that of
+/// a gap. With the tension S = N / (1 - d) of the whole cloth, r = h N_u^2 / (2 G_f J),
 ///
-///   d = (S - N_u) / (S (1 - r)),
+///   d = (S - N_u) / (S - r J e),
 ///
-/// which needs r < 1: a wider facet holds more elastic energy than its crack takes (snap-back).
+/// which needs r < 1: a wider facet holds more elastic energy than its crack takes (snap-back). The
+/// sides of a tear slide on each other: no more elastic shear strain than where it began.
 class Cloth {
  public:
-  /// Damage at which a direction counts as torn; what is left of it keeps the numbers finite.
+  /// Damage at which a direction counts as torn.
   static constexpr double torn = 1.0 - 1e-9;
 
   Cloth() = default;
@@ -73,16 +89,25 @@ class Cloth {
   double warned_of(int direction) const;
 
   const EvenStiffness& whole() const { return whole_; }  ///< without damage
-  EvenStiffness stiffness(const FacetMemory& memory) const;
 
-  /// Tension [N/m] above which a direction yields or tears; infinite where neither can happen.
+  /// Tension [N/m] above which a direction of a facet without damage yields or tears; infinite
+  /// where neither can happen.
   double limit(int direction, const ClothFacet& facet, const FacetMemory& memory) const;
 
-  /// Lets plastic strain and damage follow a force above its limit at the strain that the force
-  /// belongs to; returns the energy per area [J/m^2] that this takes out. Each direction by itself,
-  /// so with both of them at their limits, or wrinkled, what is above them falls by a factor of nu
-  /// or nu^2 from call to call and is gone after some; never below the limit.
-  double follow(const PlaneVector& force, const ClothFacet& facet, FacetMemory& memory) const;
+  /// The same as a straight line in its plastic strain, up to where the facet has to be looked at:
+  /// the next reading, the strength, or always (`end` below zero) where it tears.
+  YieldLine line(int direction, const ClothFacet& facet, const FacetMemory& memory) const;
+  /// Plastic strain per tension above a line [m/N].
+  double growth_rate(int direction, const YieldLine& line) const
+  {
+    return 1.0 / (relaxation_[direction] + line.slope);
+  }
+
+  /// Lets plastic strain, damage and slip follow how a facet stands; returns the energy per area
+  /// [J/m^2] that this takes out. Each direction by itself, so with both of them at their limits,
+  /// or wrinkled, what is above them falls by a factor of nu or nu^2 from call to call and is gone
+  /// after some; never below the limit.
+  double follow(const ClothAnswer& answer, const ClothFacet& facet, FacetMemory& memory) const;
 
   /// Throws InputError where facets so wide would snap back.
   void require_no_snap_back(const ClothFacet& facet) const;
@@ -93,6 +118,8 @@ class Cloth {
     return constants_.strength[direction] * facet.strength[direction];
   }
   double snap_ratio(int direction, const ClothFacet& facet) const;
+  double yield(int direction, double tension, const ClothFacet& facet, FacetMemory& memory) const;
+  double damage_of(int direction, const double (&whole)[2], const ClothFacet& facet) const;
   bool has_strength(int direction) const
   {
     return constants_.strength[direction] > 0.0 && constants_.after != AfterStrength::warn;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "shell/cloth.h"
@@ -10,44 +11,32 @@ class ShellElement;
 
 constexpr int facets_in_batch = 32;
 
-/// EvenStiffness of the facets of a batch, number by number.
-struct EvenStiffnessRows {
-  using Numbers = double[facets_in_batch];
-  Numbers along, poisson, bulk, deviatoric, scale, inverse, shear, softening;
-
-  EvenStiffness at(int n) const
-  {
-    return {along[n], poisson[n], bulk[n],  deviatoric[n],
-            scale[n], inverse[n], shear[n], softening[n]};
-  }
-  void set(int n, const EvenStiffness& even)
-  {
-    along[n] = even.along, poisson[n] = even.poisson, bulk[n] = even.bulk;
-    deviatoric[n] = even.deviatoric, scale[n] = even.scale, inverse[n] = even.inverse;
-    shear[n] = even.shear, softening[n] = even.softening;
-  }
-};
-
-/// What the loads of a batch take from the memory of its facets.
-struct ClothRows {
+/// What the facets of a batch remember and how their limits go on from there, as YieldLine.
+struct alignas(64) ClothRows {
   using Numbers = double[facets_in_batch];
   Numbers plastic_strain[2];
-  Numbers limit[2];   ///< force above which the facet yields or tears [N/m]
-  bool torn = false;  ///< some facet has damage: their stiffnesses differ
-  EvenStiffnessRows stiffness;
+  Numbers limit[2];   ///< force above which the facet yields or is looked at [N/m]
+  Numbers excess[2];  ///< of the force last found above it [N/m]
+  Numbers origin[2], tension[2], slope[2], end[2], rate[2];
+  Numbers left;         ///< of its stiffness [-]
+  Numbers slip;         ///< [-]
+  bool torn = false;    ///< some facet has damage
+  bool yields = false;  ///< some facet has an excess
 };
 
-/// Forces (hoop, axial, shear) of the facets of a batch [N/m].
-struct ClothForces {
-  double force[3][facets_in_batch];
+/// How the facets of a batch stand, as ClothAnswer but with the energy of the whole facet [J].
+struct ClothAnswers {
+  using Numbers = double[facets_in_batch];
+  Numbers force[3], elastic_shear, energy;
 };
 
 /// The facets of a cloth: what each remembers, side by side in batches.
 ///
 /// The loads of a step are found with the memory as it stands. What is above its limit then asks
-/// for more plastic strain or damage, one Cloth::follow() each, which the facet has from the next
-/// step on: so a force is above its limit by what a step or a few brought. A set-up, which advances
-/// nothing, finds the loads of the step before again, to the last bit.
+/// for more plastic strain or damage, which the facet has from the next step on: so a force is
+/// above its limit by what a step or a few brought. On one straight part of its limit all of a
+/// batch grow at once, the excess over D + Y' each; the others take Cloth::follow(). A set-up,
+/// which advances nothing, finds the loads of the step before again, to the last bit.
 class ClothFacets {
  public:
   ClothFacets() = default;
@@ -64,19 +53,34 @@ class ClothFacets {
   bool softens_off_axis() const { return cloth_.softens_off_axis(); }
   bool remembers() const { return remembers_; }
   const EvenStiffness& whole() const { return cloth_.whole(); }
-  const ClothRows& rows(int batch) const { return rows_[batch]; }
-  const std::vector<FacetMemory>& memory() const { return memory_; }
+  ClothRows& rows(int batch) { return rows_[batch]; }
+  bool empty() const { return memory_.empty(); }
+  FacetMemory memory(int facet) const;
   void set_memory(int facet, const FacetMemory& memory);
 
   /// Facets [first, last) get the memory they asked for, unless `at_set_up`; either way they ask
   /// again from their next loads.
   void advance(int first, int last, bool at_set_up);
-  /// Lets the facets [first, last) of a batch ask for what their loads want.
-  void ask(int batch, int first, int last, const ClothForces& forces);
+  /// Whether a facet of [first, last) of a batch, whose excess was found, has to ask.
+  bool must_ask(int batch, int first, int last) const;
+  /// Lets those ask for what their loads want.
+  void ask(int batch, int first, int last, const ClothAnswers& answers);
   double dissipated() const { return dissipated_; }  ///< by what was asked for and given [J]
   void set_dissipated(double energy) { dissipated_ = energy; }
 
  private:
+  bool leaves_its_line(const ClothRows& rows, int n) const
+  {
+    bool leaves = false;
+    for (int i = 0; i < 2; ++i)
+      leaves =
+          leaves |
+          ((rows.excess[i][n] > 0.0) &
+           (rows.plastic_strain[i][n] + rows.excess[i][n] * rows.rate[i][n] >= rows.end[i][n]));
+    return leaves;
+  }
+  double grow(ClothRows& rows, const double* area, int first, int last);
+
   /// The memory a facet has from the next step on.
   struct Wish {
     int facet;
@@ -88,7 +92,7 @@ class ClothFacets {
   bool remembers_ = false;
   std::vector<ClothFacet> facet_;
   std::vector<double> area_;
-  std::vector<FacetMemory> memory_;
+  std::vector<FacetMemory> memory_;  ///< but for the plastic strains, which are in the rows
   std::vector<ClothRows> rows_;
   std::vector<Wish> wish_;  ///< room for all facets
   double dissipated_ = 0.0;

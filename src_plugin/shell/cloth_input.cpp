@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/cloth_input.h"
 
 #include "core/constants.h"

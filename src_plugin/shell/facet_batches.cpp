@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/facet_batches.h"
 
 #include "shell/shell_element.h"

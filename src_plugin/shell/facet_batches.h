@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "core/vector_units.h"
@@ -42,7 +43,7 @@ class FacetBatches {
   {
     return i < j ? j * (j + 1) / 2 + i : i * (i + 1) / 2 + j;
   }
-  struct Batch {
+  struct alignas(64) Batch {
     Facet node[size];
     Vec3 normal[size];
     Numbers area, gradient[4], bending[symmetric];
@@ -52,13 +53,14 @@ class FacetBatches {
   double resolve(const Batch& batch, int first, int last);
   double resolve_one(const Batch& batch, int n);
   double resolve_cloth(const Batch& batch, int number, int first, int last);
+  /// What of its memory a cloth's loads look at.
+  enum class Remembers { nothing, plastic_strain, all };
   template <bool bends, bool wrinkles, bool softens>
-  double resolve_cloth_kind(const Batch& batch, const ClothRows& rows, int first, int last);
-  template <bool bends, bool wrinkles, bool softens, bool remembers, bool torn>
-  double resolve_cloth_as(const Batch& batch, const ClothRows& rows, int first, int last);
-  template <bool bends, bool wrinkles, bool softens, bool remembers, bool torn>
-  double resolve_one_cloth(const Batch& batch, const ClothRows& rows, const EvenStiffness& whole,
-                           int n);
+  double resolve_cloth_kind(const Batch& batch, int number, int first, int last);
+  template <bool bends, bool wrinkles, bool softens, Remembers remembers>
+  double resolve_cloth_as(const Batch& batch, ClothRows& rows, int first, int last);
+  template <bool bends, bool wrinkles, bool softens, Remembers remembers>
+  double resolve_one_cloth(const Batch& batch, ClothRows& rows, const EvenStiffness& whole, int n);
 
   std::vector<Batch> batches_;
   Mat3 membrane_;
@@ -66,7 +68,7 @@ class FacetBatches {
   ClothFacets cloth_;
   /// Of the nodes of the batch at hand: in, then out.
   alignas(64) VectorRow<size> position_[3], director_[3], force_[3], moment_[3];
-  ClothForces cloth_forces_;  ///< of its membranes
+  alignas(64) ClothAnswers answers_;  ///< of its facets, where they remember all
 };
 
 }  // namespace encased_column

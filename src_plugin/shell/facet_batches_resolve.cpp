@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Vectors of three spread over the halves of a vector register would keep rows of them from it.
 // Nothing here may depend on how Eigen aligns larger matrices, which this changes.
 #define EIGEN_DONT_VECTORIZE
@@ -12,6 +13,7 @@ namespace encased_column {
 struct FacetBatches::InBatch {
   const Batch& batch;
   int n;
+  double bending_left = 1.0;
   double area = batch.area[n];
 
   double gradient(int axis, int node) const { return batch.gradient[2 * axis + node - 1][n]; }
@@ -45,28 +47,37 @@ ENCASE_VECTOR_UNITS [[gnu::flatten]] double FacetBatches::resolve(const Batch& b
   return energy;
 }
 
-template <bool bends, bool wrinkles, bool softens, bool remembers, bool torn>
-double FacetBatches::resolve_one_cloth(const Batch& batch, const ClothRows& rows,
+template <bool bends, bool wrinkles, bool softens, FacetBatches::Remembers remembers>
+double FacetBatches::resolve_one_cloth(const Batch& batch, ClothRows& rows,
                                        const EvenStiffness& whole, int n)
 {
+  constexpr bool yields = remembers != Remembers::nothing, all = remembers == Remembers::all;
+  const double left = all ? rows.left[n] : 1.0;
   // Number by number: copies of vectors would stay in memory.
   const auto membrane = [&](const PlaneVector& strain) -> MembraneAnswer {
-    const double hoop = remembers ? strain(0) - rows.plastic_strain[0][n] : strain(0);
-    const double axial = remembers ? strain(1) - rows.plastic_strain[1][n] : strain(1);
-    const double shear = strain(2);
-    const PlaneVector force =
-        relaxed_force<wrinkles, softens>(torn ? rows.stiffness.at(n) : whole, {hoop, axial, shear});
-    const double force_hoop = force(0), force_axial = force(1), force_shear = force(2);
-    if constexpr (remembers) {
-      cloth_forces_.force[0][n] = force_hoop;
-      cloth_forces_.force[1][n] = force_axial;
-      cloth_forces_.force[2][n] = force_shear;
+    const double hoop = yields ? strain(0) - rows.plastic_strain[0][n] : strain(0);
+    const double axial = yields ? strain(1) - rows.plastic_strain[1][n] : strain(1);
+    const double shear = all ? strain(2) - rows.slip[n] : strain(2);
+    const PlaneVector force = relaxed_force<wrinkles, softens>(whole, {hoop, axial, shear});
+    const double force_hoop = all ? left * force(0) : force(0);
+    const double force_axial = all ? left * force(1) : force(1);
+    const double force_shear = all ? left * force(2) : force(2);
+    if constexpr (yields) {
+      rows.excess[0][n] = positive_part(force_hoop - rows.limit[0][n]);
+      rows.excess[1][n] = positive_part(force_axial - rows.limit[1][n]);
+    }
+    if constexpr (all) {
+      answers_.force[0][n] = force_hoop;
+      answers_.force[1][n] = force_axial;
+      answers_.force[2][n] = force_shear;
+      answers_.elastic_shear[n] = shear;
     }
     return {{hoop, axial, shear}, {force_hoop, force_axial, force_shear}};
   };
   const FacetVectors x{position_[0].at(n), position_[1].at(n), position_[2].at(n)};
   const FacetVectors d{director_[0].at(n), director_[1].at(n), director_[2].at(n)};
-  const FacetLoads loads = facet_loads<bends>(InBatch{batch, n}, x, d, membrane);
+  const FacetLoads loads = facet_loads<bends>(InBatch{batch, n, left}, x, d, membrane);
+  if constexpr (all) answers_.energy[n] = loads.energy;
   for (int i = 0; i < 3; ++i) {
     force_[i].set(n, loads.force[i]);
     moment_[i].set(n, loads.moment[i]);
@@ -74,45 +85,50 @@ double FacetBatches::resolve_one_cloth(const Batch& batch, const ClothRows& rows
   return loads.energy;
 }
 
-template <bool bends, bool wrinkles, bool softens, bool remembers, bool torn>
+template <bool bends, bool wrinkles, bool softens, FacetBatches::Remembers remembers>
 ENCASE_VECTOR_UNITS [[gnu::flatten]] double FacetBatches::resolve_cloth_as(const Batch& batch,
-                                                                           const ClothRows& rows,
+                                                                           ClothRows& rows,
                                                                            int first, int last)
 {
   const EvenStiffness whole = cloth_.whole();
-  double energy = 0.0;
-#pragma omp simd reduction(+ : energy)
-  for (int n = first; n < last; ++n)
-    energy += resolve_one_cloth<bends, wrinkles, softens, remembers, torn>(batch, rows, whole, n);
+  double energy = 0.0, excess = 0.0;
+#pragma omp simd reduction(+ : energy, excess)
+  for (int n = first; n < last; ++n) {
+    energy += resolve_one_cloth<bends, wrinkles, softens, remembers>(batch, rows, whole, n);
+    if constexpr (remembers != Remembers::nothing) excess += rows.excess[0][n] + rows.excess[1][n];
+  }
+  rows.yields = excess > 0.0 || (rows.yields && last - first < size);
   return energy;
 }
 
 template <bool bends, bool wrinkles, bool softens>
-double FacetBatches::resolve_cloth_kind(const Batch& batch, const ClothRows& rows, int first,
-                                        int last)
+double FacetBatches::resolve_cloth_kind(const Batch& batch, int number, int first, int last)
 {
-  if (rows.torn)
-    return resolve_cloth_as<bends, wrinkles, softens, true, true>(batch, rows, first, last);
-  if (cloth_.remembers())
-    return resolve_cloth_as<bends, wrinkles, softens, true, false>(batch, rows, first, last);
-  return resolve_cloth_as<bends, wrinkles, softens, false, false>(batch, rows, first, last);
+  ClothRows& rows = cloth_.rows(number);
+  if (!cloth_.remembers())
+    return resolve_cloth_as<bends, wrinkles, softens, Remembers::nothing>(batch, rows, first, last);
+  double energy = 0.0;
+  if (!rows.torn)
+    energy = resolve_cloth_as<bends, wrinkles, softens, Remembers::plastic_strain>(batch, rows,
+                                                                                   first, last);
+  // Again where somebody has to tell how it stands: the loads come out the same.
+  if (rows.torn || cloth_.must_ask(number, first, last)) {
+    energy = resolve_cloth_as<bends, wrinkles, softens, Remembers::all>(batch, rows, first, last);
+    cloth_.ask(number, first, last, answers_);
+  }
+  return energy;
 }
 
 double FacetBatches::resolve_cloth(const Batch& batch, int number, int first, int last)
 {
-  const ClothRows& rows = cloth_.rows(number);
-  double energy;
   if (!wrinkles_)
-    energy = bends_ ? resolve_cloth_kind<true, false, true>(batch, rows, first, last)
-                    : resolve_cloth_kind<false, false, true>(batch, rows, first, last);
-  else if (!cloth_.softens_off_axis())
-    energy = bends_ ? resolve_cloth_kind<true, true, false>(batch, rows, first, last)
-                    : resolve_cloth_kind<false, true, false>(batch, rows, first, last);
-  else
-    energy = bends_ ? resolve_cloth_kind<true, true, true>(batch, rows, first, last)
-                    : resolve_cloth_kind<false, true, true>(batch, rows, first, last);
-  cloth_.ask(number, first, last, cloth_forces_);
-  return energy;
+    return bends_ ? resolve_cloth_kind<true, false, true>(batch, number, first, last)
+                  : resolve_cloth_kind<false, false, true>(batch, number, first, last);
+  if (!cloth_.softens_off_axis())
+    return bends_ ? resolve_cloth_kind<true, true, false>(batch, number, first, last)
+                  : resolve_cloth_kind<false, true, false>(batch, number, first, last);
+  return bends_ ? resolve_cloth_kind<true, true, true>(batch, number, first, last)
+                : resolve_cloth_kind<false, true, true>(batch, number, first, last);
 }
 
 }  // namespace encased_column

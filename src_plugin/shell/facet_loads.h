@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "shell/corotational_frame.h"
@@ -27,9 +28,10 @@ struct MembraneAnswer {
 
 /// What the loads of a facet need of its reference, in material axes.
 struct FacetReference {
-  Triangle2 gradient;     ///< of the area coordinates, as columns [1/m]
-  TiltStiffness bending;  ///< [N m/rad]
-  double area;            ///< [m^2]
+  Triangle2 gradient;         ///< of the area coordinates, as columns [1/m]
+  TiltStiffness bending;      ///< [N m/rad]
+  double area;                ///< [m^2]
+  double bending_left = 1.0;  ///< of the bending stiffness, less in a torn facet [-]
 };
 
 /// The frame of a facet whose nodes are at `x` [m]. The gradients sum to zero, so differences to
@@ -68,6 +70,7 @@ FacetLoads facet_loads(const Reference& facet, const FacetVectors& x, const Face
       slope[i] = facet.bending(i, 0) * tilts[0];
 #pragma GCC unroll 5
       for (int j = 1; j < 6; ++j) slope[i] += facet.bending(i, j) * tilts[j];
+      slope[i] *= facet.bending_left;
       out.energy += 0.5 * tilts[i] * slope[i];
     }
     const FacetVectors conjugate{tilt[0].work_conjugate(director[0], slope[0], slope[1]),

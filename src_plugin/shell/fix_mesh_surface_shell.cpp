@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/fix_mesh_surface_shell.h"
 
 #include "host/grains_and_box.h"

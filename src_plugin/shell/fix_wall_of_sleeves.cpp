@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/fix_wall_of_sleeves.h"
 
 #include "core/input_error.h"

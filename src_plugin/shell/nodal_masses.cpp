@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/nodal_masses.h"
 
 namespace encased_column {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/refuse_as_mesh.h"
 
 #include "shell/fix_mesh_surface_shell.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/shell_element.h"
 
 #include "core/eigenvalues.h"
@@ -64,8 +65,10 @@ FacetLoads ShellElement::loads(const ShellMaterial& material, const FacetVectors
   const auto membrane = [&](const PlaneVector& strain) -> MembraneAnswer {
     return {ShellMaterial::elastic_strain(strain, memory), material.membrane_force(strain, memory)};
   };
-  return material.bends() ? facet_loads<true>(reference_, x, director, membrane)
-                          : facet_loads<false>(reference_, x, director, membrane);
+  FacetReference reference = reference_;
+  reference.bending_left = memory.left();
+  return material.bends() ? facet_loads<true>(reference, x, director, membrane)
+                          : facet_loads<false>(reference, x, director, membrane);
 }
 
 FacetState ShellElement::state(const ShellMaterial& material, const FacetVectors& x,
@@ -92,8 +95,8 @@ FacetState ShellElement::state(const ShellMaterial& material, const FacetVectors
     tilts(2 * i + 1) = plate(3 * i + 2) = tilt.y;
   }
   out.curvature = dkt_curvature(reference_corners(), Vec3::Constant(1.0 / 3.0)) * plate;
-  out.moment = material.bending() * out.curvature;
-  out.bending_energy = 0.5 * tilts.dot(reference_.bending * tilts);
+  out.moment = memory.left() * material.bending() * out.curvature;
+  out.bending_energy = 0.5 * memory.left() * tilts.dot(reference_.bending * tilts);
   return out;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "core/input_error.h"
@@ -74,20 +75,21 @@ class ShellMaterial {
   PlaneVector membrane_force(const PlaneVector& strain, const FacetMemory& memory = {}) const
   {
     if (!is_cloth()) return membrane_ * strain;
-    const EvenStiffness even = cloth_.stiffness(memory);
+    const EvenStiffness& even = cloth_.whole();
     const PlaneVector elastic = elastic_strain(strain, memory);
     const bool softens = cloth_.softens_off_axis();
     if (constants_.tension_only)
-      return softens ? relaxed_force<true, true>(even, elastic)
-                     : relaxed_force<true, false>(even, elastic);
-    return softens ? relaxed_force<false, true>(even, elastic)
-                   : relaxed_force<false, false>(even, elastic);
+      return memory.left() * (softens ? relaxed_force<true, true>(even, elastic)
+                                      : relaxed_force<true, false>(even, elastic));
+    return memory.left() * (softens ? relaxed_force<false, true>(even, elastic)
+                                    : relaxed_force<false, false>(even, elastic));
   }
 
   /// The part of a strain that unloading gives back.
   static PlaneVector elastic_strain(const PlaneVector& strain, const FacetMemory& memory)
   {
-    return {strain(0) - memory.plastic_strain[0], strain(1) - memory.plastic_strain[1], strain(2)};
+    return {strain(0) - memory.plastic_strain[0], strain(1) - memory.plastic_strain[1],
+            strain(2) - memory.slip};
   }
 
   /// Energy stored per reference area [J/m^2], of which the force is the derivative: the force is

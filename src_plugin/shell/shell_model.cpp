@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/shell_model.h"
 
 #include "dynamics/local_damping.h"

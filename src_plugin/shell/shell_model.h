@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "shell/facet_batches.h"
@@ -76,11 +77,11 @@ class ShellModel {
   /// Of the strength of a direction, less than 1 on a seam [-].
   double strength_share(int direction, int facet) const
   {
-    return cloth().memory().empty() ? 1.0 : cloth().strength_share(direction, facet);
+    return cloth().empty() ? 1.0 : cloth().strength_share(direction, facet);
   }
   FacetMemory memory(int facet) const
   {
-    return cloth().memory().empty() ? FacetMemory() : cloth().memory()[facet];
+    return cloth().empty() ? FacetMemory() : cloth().memory(facet);
   }
   /// One step of central differences: local damping -alpha |F| sign(v) per component of force and
   /// moment, supports, then motion.

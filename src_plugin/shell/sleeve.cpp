@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/sleeve.h"
 
 #include "shell/enclosed_volume.h"

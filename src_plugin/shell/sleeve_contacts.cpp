@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/sleeve_contacts.h"
 
 #include "shell/height_bands.h"

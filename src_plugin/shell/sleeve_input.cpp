@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/sleeve_input.h"
 
 #include "files/mesh_file.h"

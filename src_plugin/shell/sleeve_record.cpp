@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/sleeve_record.h"
 
 namespace encased_column {
 
 namespace {
 
-constexpr int numbers_of_memory = 4;  ///< numbers of a FacetMemory
+constexpr int numbers_of_memory = 6;  ///< numbers of a FacetMemory
 
 void put(const Vec3& v, std::vector<double>& to)
 {
@@ -47,10 +48,12 @@ std::vector<double> memory_numbers(const ShellModel& model, int first, int last)
 {
   std::vector<double> numbers(numbers_of_memory * model.facets(), 0.0);
   for (int f = first; f < last; ++f) {
-    const FacetMemory& memory = model.cloth().memory()[f];
+    const FacetMemory memory = model.cloth().memory(f);
     double* to = numbers.data() + numbers_of_memory * f;
     to = std::copy(memory.plastic_strain.begin(), memory.plastic_strain.end(), to);
-    std::copy(memory.damage.begin(), memory.damage.end(), to);
+    to = std::copy(memory.damage.begin(), memory.damage.end(), to);
+    to[0] = memory.slip;
+    to[1] = memory.most_shear;
   }
   return numbers;
 }
@@ -59,7 +62,7 @@ void take_memory(ShellModel& model, const std::vector<double>& numbers)
 {
   const double* from = numbers.data();
   for (int f = 0; f < model.facets(); ++f, from += numbers_of_memory)
-    model.cloth().set_memory(f, {{from[0], from[1]}, {from[2], from[3]}});
+    model.cloth().set_memory(f, {{from[0], from[1]}, {from[2], from[3]}, from[4], from[5]});
 }
 
 void save_memory(const ShellModel& model, double dissipated, std::vector<double>& numbers)

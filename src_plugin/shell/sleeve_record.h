@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "shell/number_row.h"
@@ -11,8 +12,8 @@ namespace encased_column {
 void save_nodes(const ShellModel& model, std::vector<double>& numbers);
 void restore_nodes(ShellModel& model, NumberRow& numbers);
 
-/// Plastic strain and damage of facets [first, last), zeros for all others: sums over ranks that
-/// share the facets are those of all.
+/// Plastic strain, damage and slip of facets [first, last), zeros for all others: sums over ranks
+/// that share the facets are those of all.
 std::vector<double> memory_numbers(const ShellModel& model, int first, int last);
 void take_memory(ShellModel& model, const std::vector<double>& numbers);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "core/constants.h"
@@ -118,8 +119,10 @@ inline std::optional<std::string> fault_of_pairs(const ShellModel& model,
     const FacetVectors x = model.corners(f);
     return (x[1] - x[0]).cross(x[2] - x[0]).normalized();
   };
+  // One that tears has the shape of its gap.
+  const auto tears = [&model](int f) { return model.memory(f).left() < 1.0; };
   for (const auto& [a, b] : pairs)
-    if (normal(a).dot(normal(b)) < -0.5)
+    if (normal(a).dot(normal(b)) < -0.5 && !tears(a) && !tears(b))
       return "facets " + std::to_string(a) + " and " + std::to_string(b) +
              " of the sleeve are folded on each other, one is inverted: use shorter facets, a "
              "larger "

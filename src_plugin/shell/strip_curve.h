@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include "core/input_error.h"
@@ -13,6 +14,18 @@ namespace encased_column {
 struct StripPoint {
   double strain;   ///< [-]
   double tension;  ///< [N/m]
+};
+
+/// Part of the limit of a strip that is straight in its plastic strain.
+struct YieldLine {
+  static constexpr double never = 1e300;  ///< finite, so that differences to it are
+
+  double origin = 0.0;     ///< plastic strain at `tension` [-]
+  double tension = never;  ///< [N/m]
+  double slope = 0.0;      ///< [N/m]
+  double end = never;      ///< plastic strain up to which it holds [-]
+
+  double limit(double plastic) const { return tension + slope * (plastic - origin); }
 };
 
 /// Throws InputError unless the table starts at (0, 0), its strains increase and its tensions do
@@ -90,6 +103,16 @@ class StripCurve {
       return std::isfinite(last_slope_) ? tension_[n] + last_slope_ * (plastic - plastic_[n])
                                         : last_slope_;
     return tension_[n] + slope(n) * (plastic - plastic_[n]);
+  }
+
+  /// The line on which the limit lies from a plastic strain on.
+  YieldLine line(double plastic) const
+  {
+    if (plastic_.empty()) return {};
+    const std::size_t n = segment(plastic);
+    if (n + 1 < plastic_.size()) return {plastic_[n], tension_[n], slope(n), plastic_[n + 1]};
+    if (!std::isfinite(last_slope_)) return {};
+    return {plastic_[n], tension_[n], last_slope_, YieldLine::never};
   }
 
   /// Plastic strain by which a strip of elastic tension `trial` [N/m] at the plastic strain

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A program in place of a test, as a user may have one: hyperbola LOG NAME=VALUE ... adds a line to
 // LOG, waits a moment and writes q = strain / (1 / stiffness + strain / strength) to curve.csv,
 // with the variables `stiffness` [Pa] and `strength` [Pa]. It fails where `strength` is above 900

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // `encase calibrate` as a user meets it, with a small program in place of decks.
 #include "runs/run_store.h"
 #include "support/child_program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Wrong configuration files: one sentence with file and line, before anything runs.
 #include "config/calibration_config.h"
 #include "config/units.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Runs of real decks by `encase run`, and what is read from them.
 #include "runs/run_program.h"
 #include "stages/run_plan.h"

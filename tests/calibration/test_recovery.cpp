@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Synthetic recovery: "laboratory" values from a formula with known parameters come back as
 // intervals that hold those parameters.
 #include "config/quantities.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Mismatch, search, posterior, and what the data do not tell.
 #include "search/genetic_search.h"
 #include "search/identifiability.h"

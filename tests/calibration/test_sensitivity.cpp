@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Sensitivity against closed forms.
 #include "space/designs.h"
 #include "space/morris.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Surrogates: what each must know, and how they are compared.
 #include "space/designs.h"
 #include "surrogate/cross_validation.h"

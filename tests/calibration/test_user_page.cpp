@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The page calibration/README.md lists the keys and quantities that the reader knows, in its words.
 #include "config/calibration_config.h"
 #include "config/quantities.h"

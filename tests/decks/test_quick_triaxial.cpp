@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The plain triaxial test at the resolution `quick`, on half its height and to 8 % strain, where q
 // comes close to its peak: what a run of the study must show. Some ten seconds of work.
 #include "support/child_program.h"

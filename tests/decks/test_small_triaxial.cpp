@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The deck of the plain triaxial test, whole, with about a hundred grains and 2 % strain: a second
 // of work.
 #include "support/csv_table.h"

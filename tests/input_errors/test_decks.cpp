@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The decks of the study refuse variables out of range before their first step, and the command
 // `require`, by which they do, refuses rules that are none.
 #include "input_errors/refusal.h"
@@ -55,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadVariable{plain, "mu", "-0.5", "'mu' must be zero or larger, found -0.5"},
         BadVariable{plain, "mu_cylinder", "-1", "'mu_cylinder' must be zero or larger, found -1"},
         BadVariable{plain, "alpha", "1", "'alpha' must be between 0 and 0.99, found 1"},
-        BadVariable{plain, "rate", "0", "'rate' must be larger than zero, found 0"},
+        BadVariable{plain, "rate", "-1", "'rate' must be zero or larger, found -1"},
         BadVariable{plain, "rate", "fast", "'rate' takes a finite number, found 'fast'"},
         BadVariable{plain, "moving", "3", "'moving' must be one of: 0, 1, 2; found '3'"},
         BadVariable{plain, "strain_end", "0",

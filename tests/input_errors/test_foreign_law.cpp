@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Styles that take every contact for one of the linear law refuse another pair style, or another
 // law of the host's walls beside it, before the first step.
 #include "input_errors/refusal.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // What goes wrong is called by its name, and the sentence says what to write.
 #include "support/child_program.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "input_errors/refusal.h"
 
 using namespace encased_column::testing;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // An error that one rank alone finds ends the run with its sentence on the screen and in the log,
 // although both are files and the rank has not opened the log.
 #include "support/child_program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The specimen history and the pictures of the grains.
 #include "input_errors/refusal.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // `encase run` refuses bad options with one sentence before it runs anything.
 #include "support/child_program.h"
 
@@ -97,7 +98,7 @@ TEST(RunCommand, ListsFilesToReadByTheirPathInTheProject)
 
 TEST(RunCommand, RefusesAnUnknownOption)
 {
-  expect_refused({"--resolutoin", "quick"}, "unknown option '--resolutoin', see --help");
+  expect_refused({"--resolutoin", "quick"}, "unknown option '--resolutoin', nearest is '--resolution', see --help");
 }
 
 TEST(RunCommand, RefusesAnOptionWithoutItsValue)

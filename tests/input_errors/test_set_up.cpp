@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The command input_scripts/set_up says what it does, and only when it does it: tried on a small
 // project. And CMake looks for LIGGGHTS where it is told to.
 #include "support/child_program.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <regex>
@@ -134,6 +136,37 @@ TEST_F(SetUp, ShowsTheEndOfTheLogOfWhatFailed)
   EXPECT_EQ(built.exit_code, 1);
   EXPECT_TRUE(built.says("unknown target 'make_three'")) << built.output;
   EXPECT_TRUE(built.says("--target make_three' failed, the end of its log is above\n"));
+}
+
+// Programs that stand for apt-get and dpkg-query; the screen is a terminal, which `script` makes.
+TEST_F(SetUp, TellsHowFarThePackagesAre)
+{
+  if (geteuid() != 0) GTEST_SKIP() << "only root is not asked for sudo";
+  write("input_scripts/packages.txt", "lacking   for a reason\n");
+  fs::create_directory(root_ / "stand_in");
+  write("stand_in/dpkg-query", "#!/bin/sh\nexit 1\n");
+  write("stand_in/apt-get",
+        "#!/bin/sh\n[ \"$1\" = update ] && exit\necho Reading lists\n"
+        "echo dlstatus:1:25.5:Retrieving\necho pmstatus:lacking:60:Unpacking\n"
+        "[ -z \"$BROKEN\" ] || { echo no space left; exit 100; }\n");
+  for (const char* name : {"dpkg-query", "apt-get"})
+    fs::permissions(root_ / "stand_in" / name, fs::perms::owner_all);
+  const auto installed = [&](const std::string& setting) {
+    return run_program(
+        {"env", setting, "PATH=" + (root_ / "stand_in").string() + ":" + getenv("PATH"), "script",
+         "-qec", root_ / "input_scripts/set_up", "/dev/null"},
+        root_);
+  };
+  const Outcome good = installed("BROKEN=");
+  EXPECT_EQ(good.exit_code, 0) << good.output;
+  EXPECT_TRUE(good.says("Installing 1 missing packages: lacking\r\n")) << good.output;
+  EXPECT_TRUE(
+      good.says("\r\x1b[K25 % of the packages fetched\r\x1b[K60 % of the packages installed"))
+      << good.output;
+  const Outcome bad = installed("BROKEN=yes");
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_TRUE(bad.says("no space left")) << bad.output;
+  EXPECT_TRUE(bad.says("lacking' failed, the end of its log is above")) << bad.output;
 }
 
 TEST(FindLiggghts, RefusesARootWithoutIt)

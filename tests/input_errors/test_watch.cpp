@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Runs that went wrong do not pass for results: the history and the motion stop them.
 #include "input_errors/refusal.h"
 

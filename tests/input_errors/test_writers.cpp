@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Two writers of one file: the second is refused, whatever it is and whatever way it
 // names the file.
 #include "input_errors/refusal.h"

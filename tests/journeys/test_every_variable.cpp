@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Every variable of both decks is set to a second value, and the run itself must show that it used
 // it: the file in which it says its variables, and the commands that its log has.
 #include "runner/case_record.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A series is one command: what is missing runs, whatever happened before, and a table tells what
 // became of each case.
 #include "support/run_command.h"

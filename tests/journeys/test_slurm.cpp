@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A series on a cluster: Slurm runs its cases as tasks, through a kill and a stop before the time
 // is over, and the table is that of a run without Slurm.
 #include "runner/slurm_job.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A user stops, kills and resumes `encase run` at any moment and loses nothing. Each case is
 // stopped in one stage after the other, by another signal each time, and must end as one never
 // stopped.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "pages/markdown_links.h"
 
 #include "pages/word_table.h"

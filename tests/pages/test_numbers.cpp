@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The numbers of the result pages are those of the committed tables and histories: each row of
 // postprocess/results/numbers.csv is found again in its file and on its page.
 #include "pages/listed_number.h"

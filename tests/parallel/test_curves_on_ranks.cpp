@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The same deck on 1, 2 and 4 ranks.
 #include "restart/specimen_deck.h"
 #include "support/csv_table.h"
@@ -78,7 +79,8 @@ CsvTable shear_on(int ranks)
 
 void expect_the_curves_of_one_rank(int ranks)
 {
-  const CsvTable one = shear_on(1), many = shear_on(ranks);
+  static const CsvTable one = shear_on(1);
+  const CsvTable many = shear_on(ranks);
   ASSERT_EQ(many.rows(), one.rows());
   const auto& q = one.column("deviatoric_stress_bottom [Pa]");
   const double peak = *std::max_element(q.begin(), q.end());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The shear of one encased specimen on 1, 2 and 4 ranks.
 #include "restart/encased_deck.h"
 #include "support/csv_table.h"

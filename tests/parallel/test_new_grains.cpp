@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Grains that a fix of the host makes during a run, on one of two ranks.
 #include "support/child_program.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The plain triaxial deck on several ranks. While the grains grow and first meet, every rank count
 // gives the same numbers to round-off. A packing under growth is chaotic, so later only sums over
 // many grains could agree, and a hundred grains are not many: there the test asks that the specimen

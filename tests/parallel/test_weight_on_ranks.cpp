@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A packing on two ranks whose grains change places, lists and ranks, with the weight that `fix
 // motion` takes over and with the host's.
 #include "restart/specimen_deck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A restart file that is cut off, or no restart file, is refused with a sentence; one that is whole
 // is read, whatever program wrote it.
 #include "files/restart_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // An encased specimen that stops, is written to a file and goes on in a new process is the same
 // specimen, bit by bit.
 #include "restart/encased_deck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A run that stops, writes a restart file and goes on in a new process is the same run, bit by bit.
 #include "restart/specimen_deck.h"
 

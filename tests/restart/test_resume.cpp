@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A test that was killed without warning goes on from the restart file of its stage, and ends as if
 // nothing had happened.
 #include "support/csv_table.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "support/child_program.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +82,7 @@ Outcome run_program(const std::vector<std::string>& words, const fs::path& folde
   const TemporaryFolder own;
   const std::string screen = own.path() / "screen";
   const std::string where = folder;
-  // Ranks alone share one folder of Open MPI's, which the first to end removes under the others.
+  // Programs would share one folder of Open MPI's, which the first to end removes under the others.
   setenv("OMPI_MCA_orte_tmpdir_base", own.path().c_str(), 1);
 
   const pid_t child = fork();
@@ -101,8 +102,10 @@ Outcome run_deck(const std::string& text, int ranks, const fs::path& folder,
   setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   // Ranks that wait let others work: on a busy machine five times faster than turning in circles.
   setenv("OMPI_MCA_mpi_yield_when_idle", "1", 1);
+  // Behind a rank that ends with an error mpirun would sleep for a second before it ends the
+  // others.
+  setenv("OMPI_MCA_odls_base_sigkill_timeout", "0", 1);
   // One machine, and a rank alone has no other to look for: half of a short deck's time.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
   setenv("OMPI_MCA_pml", "ob1", 1);
   setenv("OMPI_MCA_btl", "self,vader", 1);
   std::vector<std::string> words;

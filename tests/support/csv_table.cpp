@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "support/csv_table.h"
 
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "support/one_node_slurm.h"
 
 #include <fcntl.h>

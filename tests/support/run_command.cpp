@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "support/run_command.h"
 
 #include "support/small_triaxial.h"

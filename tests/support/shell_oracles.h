@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // What tests of the sleeve hold and look at, and no run needs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "support/small_triaxial.h"
 
 #include <fstream>
@@ -36,7 +37,8 @@ void prepare_small_resolution(const fs::path& folder)
   std::ofstream(folder / "common/resolution_small.lmp") << "variable finest equal 10e-3\n"
                                                            "variable skin equal 1e-3\n"
                                                            "variable looser equal 0\n"
-                                                           "variable facet_here equal 5e-3\n";
+                                                           "variable facet_here equal 5e-3\n"
+                                                           "variable rate_here equal 6e-7\n";
 }
 
 std::vector<std::string> prepare_small_triaxial(const fs::path& folder)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-only
 """YADE; constants, platens and step are those of stock.lmp. Arguments: STEPS SKIN [m]; reads yade.txt.
 
 Where it differs: the shear spring follows the spin about the normal too, and slip is taken at lever arms that do not

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "contact/grain_grid.h"
 
 #include <gtest/gtest.h>

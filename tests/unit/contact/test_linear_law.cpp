@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "contact/linear_law.h"
 
 #include <gtest/gtest.h>

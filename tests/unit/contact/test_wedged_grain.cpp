@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A small grain wedged between a large one that is held and a frictionless wall: nothing drives it,
 // so that its energy with all that is stored and lost may not grow, however it spins.
 #include "contact/resolve_contact.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "dynamics/kick_grains.h"
 #include "dynamics/local_damping.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "dynamics/local_damping.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "dynamics/stable_step.h"
 
 #include "core/eigenvalues.h"

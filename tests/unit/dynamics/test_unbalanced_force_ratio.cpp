@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "dynamics/unbalanced_force_ratio.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Mesh files of every format, cut off and with one byte changed: the same mesh, one that can be
 // used, or one sentence. Instrumented (tests/run --sanitize) no byte is read outside of them.
 #include "core/input_error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A restart file put together here as the host writes it (tests/restart reads the host's own), cut
 // off and with other bytes: taken or one sentence. Instrumented, no byte is read outside of it.
 #include "core/input_error.h"

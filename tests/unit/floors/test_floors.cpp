@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Includes of src_plugin run downwards: the order of the floors is data in floors.txt.
 #include "support/child_program.h"
 

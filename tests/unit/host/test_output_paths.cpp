@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "host/output_paths.h"
 
 #include "support/child_program.h"

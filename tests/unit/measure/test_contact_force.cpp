@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "measure/contact_force.h"
 
 #include <gtest/gtest.h>

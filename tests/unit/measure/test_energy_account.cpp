@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "measure/energy_account.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "measure/seen_contact.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "measure/measuring_sphere.h"
 
 #include "core/constants.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <random>
 #include <vector>
 
@@ -27,10 +30,11 @@ std::vector<Ball> packing_without_overlap(unsigned seed)
     const double largest = trial < 4000 ? 7.5e-3 : 1.5e-3;
     const Ball ball{0.08 * Vec3(part(random), part(random), part(random)),
                     largest * (0.4 + 0.6 * part(random))};
-    bool free = true;
-    for (const Ball& other : balls)
-      free = free && (other.center - ball.center).norm() > other.radius + ball.radius;
-    if (free) balls.push_back(ball);
+    if (std::none_of(balls.begin(), balls.end(), [&](const Ball& other) {
+          const double reach = other.radius + ball.radius;
+          return (other.center - ball.center).squaredNorm() <= reach * reach;
+        }))
+      balls.push_back(ball);
   }
   return balls;
 }
@@ -70,6 +74,10 @@ TEST(MeasuringSphere, PorosityOfAPackingIsThatOfAMonteCarloEstimate)
   for (const Ball& ball : balls) add_grain(sums, sphere, ball.center, ball.radius, 0);
   const double found = measure(sums, sphere).porosity;
 
+  std::vector<Ball> near;
+  std::copy_if(balls.begin(), balls.end(), std::back_inserter(near), [&](const Ball& ball) {
+    return (ball.center - sphere.center).norm() < ball.radius + sphere.radius;
+  });
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   const int wanted = 100000;
@@ -78,10 +86,9 @@ TEST(MeasuringSphere, PorosityOfAPackingIsThatOfAMonteCarloEstimate)
     const Vec3 x = sphere.center + sphere.radius * Vec3(part(random), part(random), part(random));
     if (!sphere.holds(x)) continue;
     ++thrown;
-    bool solid = false;
-    for (const Ball& ball : balls)
-      solid = solid || (x - ball.center).squaredNorm() < ball.radius * ball.radius;
-    empty += !solid;
+    empty += std::none_of(near.begin(), near.end(), [&](const Ball& ball) {
+      return (x - ball.center).squaredNorm() < ball.radius * ball.radius;
+    });
   }
   EXPECT_LT(found, 0.8);
   EXPECT_NEAR(found, static_cast<double>(empty) / wanted, 4.0 * 0.5 / std::sqrt(wanted));

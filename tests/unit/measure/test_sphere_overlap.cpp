@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "measure/sphere_overlap.h"
 
 #include <gtest/gtest.h>

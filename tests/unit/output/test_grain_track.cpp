@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "output/grain_track.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Growth under a stress, against packings whose answer is known: a spring that jams at a volume
 // which its friction sets, and gives way when that falls.
 #include "packing/growth_control.h"

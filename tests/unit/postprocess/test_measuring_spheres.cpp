@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "analysis/inside_specimen.h"
 
 #include <gtest/gtest.h>

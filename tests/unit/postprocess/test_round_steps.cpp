@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/round_steps.h"
 
 #include <gtest/gtest.h>

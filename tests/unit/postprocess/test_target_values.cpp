@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "analysis/relative_density.h"
 #include "analysis/target_values.h"
 

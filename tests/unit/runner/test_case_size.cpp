@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // What a case costs is known before it runs: beside the numbers that runs of the decks printed.
 #include "runner/case_shape.h"
 

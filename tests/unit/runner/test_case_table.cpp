@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/case_table.h"
 
 #include "support/child_program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // What a deck offers is read from its files without running it, those that a variable chooses too.
 #include "runner/deck.h"
 

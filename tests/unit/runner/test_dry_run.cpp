@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/dry_run.h"
 #include "runner/machine_speed.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "runner/time_left.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "servo/wall_shape.h"
 
 #include <gtest/gtest.h>

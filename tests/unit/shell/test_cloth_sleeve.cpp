@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Tubes and strips of a geotextile that yields and tears, as meshes.
 #include "core/constants.h"
 #include "shell/cylinder_mesh.h"
@@ -133,6 +134,136 @@ TEST(ClothBatches, GiveTheLoadsOfEachFacet)
         }
         EXPECT_GT(summary_of(model, HeightWindow()).damage_max, 0.0);
       }
+}
+
+// Half torn a facet bears half, moments too, and torn through nothing, however it is bent.
+TEST(ClothBatches, LeaveATornFacetTheShareOfItsDamageInMembraneAndBending)
+{
+  for (const bool wrinkles : {false, true}) {
+    ShellConstants c = isotropic_shell();
+    c.tension_only = wrinkles;
+    c.cloth.strength = {1e9, 1e9};
+    c.cloth.after = AfterStrength::tear;
+    c.cloth.fracture_energy = 1e15;
+    ShellModel model(cylinder_mesh(TubeShape{0.05, 0.0, 0.06, 0.02}), c, Vec3::UnitZ());
+    RandomVectors random(9);
+    std::vector<Vec3> x = model.position();
+    std::vector<Quaternion> q = model.rotation();
+    for (Vec3& p : x) p += 0.002 * random();
+    for (Quaternion& r : q) r = rotation_from_vector(0.1 * random());
+    model.set_state(x, q, model.velocity(), model.angular_velocity());
+    model.clear_loads();
+    const double whole = model.add_internal_loads(0, model.facets(), true);
+    const std::vector<Vec3> load = model.load();
+    for (const double damage : {0.5, 1.0}) {
+      for (int f = 0; f < model.facets(); ++f) {
+        FacetMemory memory;
+        memory.damage[f % 2] = damage;
+        memory.most_shear = 1.0;
+        model.cloth().set_memory(f, memory);
+      }
+      model.clear_loads();
+      EXPECT_NEAR(model.add_internal_loads(0, model.facets(), true), (1.0 - damage) * whole,
+                  1e-12 * whole);
+      for (std::size_t i = 0; i < load.size(); ++i)
+        EXPECT_LT((model.load()[i] - (1.0 - damage) * load[i]).norm(), 1e-9 * load[i].norm());
+      const FacetState state = model.facet_state(3);
+      if (damage == 1.0) {
+        EXPECT_EQ(state.moment.norm(), 0.0);
+        EXPECT_EQ(state.bending_energy + state.membrane_energy, 0.0);
+      }
+    }
+  }
+}
+
+// At nodes that stand still what a tear dissipates is what its facets no longer store, bent and
+// sheared as they are.
+TEST(ClothBatches, DissipateWhatFacetsNoLongerStoreWhenTheyTear)
+{
+  ShellConstants c = cloth_of_115();
+  c.bending_thickness = 0.002;
+  c.cloth.strength = {2000.0, 2000.0};
+  c.cloth.after = AfterStrength::tear;
+  c.cloth.fracture_energy = 100.0;
+  ShellModel model(cylinder_mesh(TubeShape{0.05, 0.0, 0.06, 0.01}), c, Vec3::UnitZ());
+  RandomVectors random(4);
+  std::vector<Vec3> x = model.position();
+  std::vector<Quaternion> q = model.rotation();
+  for (Vec3& p : x) p = 1.06 * p + 1e-4 * random();
+  for (Quaternion& r : q) r = rotation_from_vector(0.5 * random());
+  model.set_state(x, q, model.velocity(), model.angular_velocity());
+  const double before = model.add_internal_loads(0, model.facets());
+  double bending = 0.0;
+  for (int f = 0; f < model.facets(); ++f) bending += model.facet_state(f).bending_energy;
+  EXPECT_GT(bending, 0.05 * before);
+  const double after = model.add_internal_loads(0, model.facets());
+  EXPECT_LT(after, 0.8 * before);
+  EXPECT_NEAR(model.cloth().dissipated(), before - after, 1e-10 * before);
+}
+
+// Over the corners of their tables, up to the strength and into the tear, side by side as each
+// facet by Cloth::follow() alone; and a sleeve that takes their memory over goes on bit by bit.
+TEST(ClothBatches, YieldAsFacetsOneByOneAndGoOnFromTheirMemory)
+{
+  for (const AfterStrength after : {AfterStrength::yield, AfterStrength::tear}) {
+    ShellConstants c = cloth_of_115();
+    c.tension_only = true;
+    c.cloth.strip[0] = {{0.0, 0.0}, {0.02, 2300.0}, {0.03, 2800.0}, {0.06, 3400.0}};
+    c.cloth.strip[1] = {{0.0, 0.0}, {0.01, 1150.0}, {0.05, 2000.0}};
+    c.cloth.strength = {3600.0, 2100.0};
+    c.cloth.after = after;
+    c.cloth.fracture_energy = 100.0;
+    ShellModel model(cylinder_mesh(TubeShape{0.05, 0.0, 0.06, 0.01}), c, Vec3::UnitZ());
+    ShellModel other = model;
+    std::vector<FacetMemory> memory(model.facets());
+    std::vector<ClothFacet> facet(model.facets());
+    for (int f = 0; f < model.facets(); ++f) facet[f].width = model.element()[f].tear_widths();
+    RandomVectors random(11);
+    std::vector<Vec3> off(model.nodes());
+    for (Vec3& v : off) v = random();
+    double taken = 0.0, largest = 0.0;
+    const auto stretch = [&](ShellModel& sleeve, int step) {
+      std::vector<Vec3> x = sleeve.reference();
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] = (1.0 + 2e-4 * step) * x[i] + 2e-6 * step * off[i];
+      sleeve.set_state(x, sleeve.rotation(), sleeve.velocity(), sleeve.angular_velocity());
+      sleeve.clear_loads();
+      sleeve.add_internal_loads(0, sleeve.facets());
+    };
+    for (int step = 0; step < 450; ++step) {
+      stretch(model, step);
+      for (int f = 0; f < model.facets(); ++f) {
+        const FacetMemory found = model.memory(f);
+        for (int i = 0; i < 2; ++i) {
+          EXPECT_NEAR(found.plastic_strain[i], memory[f].plastic_strain[i], 1e-13);
+          EXPECT_NEAR(found.damage[i], memory[f].damage[i], 1e-11);
+        }
+        const double area = model.element()[f].area();
+        const FacetState state = model.facet_state(f);
+        const PlaneVector force = model.material().membrane_force(state.strain, memory[f]);
+        const PlaneVector elastic = ShellMaterial::elastic_strain(state.strain, memory[f]);
+        largest = std::max(largest, memory[f].damage[0]);
+        if (step == 449) continue;
+        taken += area * model.material().cloth().follow(
+                            {force, elastic(2), ShellMaterial::membrane_energy(elastic, force)},
+                            facet[f], memory[f]);
+      }
+      if (step == 300) {  // half way, with the loads of the step before found again
+        for (int f = 0; f < other.facets(); ++f) other.cloth().set_memory(f, model.memory(f));
+        other.set_state(model.position(), model.rotation(), model.velocity(),
+                        model.angular_velocity());
+        other.clear_loads();
+        other.add_internal_loads(0, other.facets(), true);
+      } else if (step > 300) {
+        stretch(other, step);
+        for (std::size_t i = 0; i < model.load().size(); ++i)
+          EXPECT_EQ(model.load()[i], other.load()[i]);
+      }
+    }
+    EXPECT_NEAR(model.cloth().dissipated(), taken, 1e-11 * taken);
+    EXPECT_GT(summary_of(model, HeightWindow()).plastic_hoop_strain_max, 0.02);
+    EXPECT_EQ(largest > 0.1, after == AfterStrength::tear);
+  }
 }
 
 // A set-up finds the same loads again and advances nothing.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/contact_to_nodes.h"
 
 #include "shell_cases.h"

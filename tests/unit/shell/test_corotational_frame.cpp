@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/corotational_frame.h"
 
 #include "shell_cases.h"

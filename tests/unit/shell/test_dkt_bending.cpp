@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/dkt_bending.h"
 
 #include "core/eigenvalues.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Closed forms of columns in a sleeve: the sleeve as a mesh, the soil as a line of failure.
 #include "analysis/encasement.h"
 #include "analysis/strength.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/enclosed_volume.h"
 
 #include "core/constants.h"

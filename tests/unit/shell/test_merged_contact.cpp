@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/merged_contact.h"
 
 #include "sleeve_cases.h"
@@ -10,14 +11,25 @@ namespace {
 
 constexpr double stiffness = 1e5;  // N/m, of one facet
 
-/// A sphere against a crumpled tube.
+/// A sphere against a crumpled tube; facets near it are listed again when it has moved by half the
+/// margin of the list.
 class RollingSphere {
  public:
   RollingSphere() : model_(crumpled_tube(0.002)) {}
 
   MergedContact touch(const Vec3& center)
   {
-    return press_one(model_, center, 0.01, no_reaction).merged;
+    if (!((center - listed_at_).norm() < 0.5 * margin)) {
+      contacts_.list(model_, center.data(), &radius, 1, margin);
+      listed_at_ = center;
+    }
+    MergedContact merged{};
+    contacts_.resolve(model_, true, SomeGrains{center.data(), {radius}}, nullptr,
+                      [&](const SleeveContact& contact) {
+                        merged = contact.merged;
+                        return no_reaction(contact);
+                      });
+    return merged;
   }
   double energy(const Vec3& center) { return energy_of(touch(center), stiffness); }
   Vec3 force(const Vec3& center)
@@ -27,7 +39,11 @@ class RollingSphere {
   }
 
  private:
+  static constexpr double radius = 0.01, margin = 0.001;  // m
+
   ShellModel model_;
+  SleeveContacts contacts_;
+  Vec3 listed_at_ = Vec3::Constant(1.0);  // far away
 };
 
 /// A place on a path that winds along and round the tube, over facets, edges and nodes, with the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/nearest_point.h"
 
 #include "shell_cases.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "shell/shell_element.h"
 
 #include "core/eigenvalues.h"

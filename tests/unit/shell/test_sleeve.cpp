@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A sleeve as a whole, stepped without a host.
 #include "shell/sleeve.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The account that a step of the sleeve gives of its energy closes.
 #include "shell/pressure_load.h"
 #include "sleeve_cases.h"

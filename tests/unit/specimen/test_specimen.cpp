@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "specimen/specimen.h"
 
 #include "core/constants.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // What a contact remembers must go when it parts, even if the host builds no list in between.
 #include "verification/contact/grain_deck.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Density scaling in a run: what it does to the energy and momentum of grains that move.
 #include "verification/contact/grain_deck.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Free fall, bounces and collisions of grains.
 #include "verification/contact/grain_deck.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Sliding and rolling on a platen.
 #include "verification/contact/grain_deck.h"
 

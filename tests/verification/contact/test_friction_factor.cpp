@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A growth that minds the stress lowers the friction of contacts, not the coefficients of the deck.
 #include "core/vec3.h"
 #include "support/child_program.h"

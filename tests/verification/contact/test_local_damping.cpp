@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Local damping in a run: a grain between two platens is a mass on a spring.
 #include "verification/contact/grain_deck.h"
 

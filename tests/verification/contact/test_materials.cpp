@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Which micro-parameters a contact takes.
 #include "verification/contact/grain_deck.h"
 

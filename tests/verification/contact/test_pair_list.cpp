@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Our own list of pairs and our loops over it against the host's, in the same run otherwise.
 #include "verification/contact/grain_deck.h"
 

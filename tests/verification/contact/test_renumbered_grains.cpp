@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // `delete_atoms` gives the grains that stay new numbers, and their contacts keep their springs.
 #include "support/child_program.h"
 

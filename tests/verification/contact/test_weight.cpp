@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Who puts the weight on the grains and clears their forces: `fix motion` where it can, else the
 // host.
 #include "verification/contact/grain_deck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A specimen of some 200 grains at rest between servo walls: what the walls say, what the contacts
 // say.
 #include "measure/sphere_overlap.h"

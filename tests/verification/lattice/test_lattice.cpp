@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Lattices of equal spheres with the same overlap at every contact.
 #include "measure/sphere_overlap.h"
 #include "verification/lattice/contact_list.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Every style in a periodic box: it serves the images of the grains, in closed form, or refuses the
 // box with a sentence.
 #include "support/child_program.h"

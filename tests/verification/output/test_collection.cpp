@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // all.pvd of the decks: every file it lists, read with the library that ParaView reads it with.
 #include "support/small_triaxial.h"
 #include "verification/output/vtp_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The files of `fix output/contacts`, read back: forces known in closed form, and those of a
 // specimen against the host's own list of contacts.
 #include "restart/specimen_deck.h"

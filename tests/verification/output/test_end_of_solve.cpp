@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // `solve` ends as a `run` of as many steps does: the same last line of the host's table, the same
 // files, and its checks are made.
 #include "support/child_program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Where files go is settled when the deck names them: a later `shell cd` changes nothing.
 #include "support/child_program.h"
 

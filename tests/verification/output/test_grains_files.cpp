@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The files of `fix output/grains`, read back: motion known in closed form, contacts known by
 // count.
 #include "support/child_program.h"

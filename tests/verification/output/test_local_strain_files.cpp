@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The strain that `fix output/grains` finds where grains fly apart in a homogeneous shear.
 #include "verification/output/vtp_file.h"
 

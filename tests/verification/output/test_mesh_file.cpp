@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Mesh files written here, byte by byte, and read back as the surface they hold.
 #include "files/mesh_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The log says what each fix understood: every default that the keyword tables promise is in the
 // line of a fix whose deck gives only what it must.
 #include "support/child_program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,7 +15,14 @@ struct BrowserVisit {
   std::vector<std::string> console;  ///< what it wrote to its console
 };
 
-/// Opens the `pages` of `folder` (without network) in a headless browser, 390 px wide.
-BrowserVisit visit(const std::filesystem::path& folder, const std::vector<std::string>& pages);
+/// The window [px] of a browser.
+struct WindowSize {
+  int width, height;
+};
+constexpr WindowSize telephone{390, 844}, desk{1280, 800};
+
+/// Opens the `pages` of `folder` (without network) in a headless browser, one after the other.
+BrowserVisit visit(const std::filesystem::path& folder, const std::vector<std::string>& pages,
+                   WindowSize window = telephone);
 
 }  // namespace encased_column::testing

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "closed_form_case.h"
 
 #include <cmath>

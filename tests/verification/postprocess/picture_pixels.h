@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
 #include <vtkImageData.h>
@@ -24,6 +25,8 @@ class PicturePixels {
     const int* size = reader_->GetOutput()->GetDimensions();
     return size[0] == 1200 && size[1] == 1500;
   }
+  int width() const { return reader_->GetOutput()->GetDimensions()[0]; }
+  int height() const { return reader_->GetOutput()->GetDimensions()[1]; }
   /// From the left and the lower edge.
   std::array<int, 3> pixel(int x, int y) const
   {
@@ -38,10 +41,11 @@ class PicturePixels {
            40;
   }
   /// Widths [px] of what is colored along the row `y`, from the left.
-  std::vector<int> colored_widths(int y) const
+  std::vector<int> colored_widths(int y) const { return colored_widths(y, 1, right); }
+  std::vector<int> colored_widths(int y, int from, int to) const
   {
     std::vector<int> widths;
-    for (int x = 1; x < right; ++x) {
+    for (int x = from; x < to; ++x) {
       if (!is_colored(x, y)) continue;
       if (!is_colored(x - 1, y)) widths.push_back(0);
       ++widths.back();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "browser.h"
 #include "support/child_program.h"
 
@@ -14,8 +15,11 @@ TEST(BrowserVisit, SeesWhatIsWrong)
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "wrong.html")
       << "<!DOCTYPE html><html><body><a href='#nowhere'>x</a><img src='gone.png'>"
-         "<div style='width: 500px'>wide</div><div class='panel'><svg></svg></div>"
-         "<table id='t'><thead><tr><th>a</th><th>b</th></tr></thead><tbody><tr><td>1</td><td></td>"
+         "<div style='width: 500px'>wide</div><div class='numbers' style='height: 900px'></div>"
+         "<figure><figcaption>bare</figcaption></figure><div class='panel'><svg></svg></div>"
+         "<table "
+         "id='t'><thead><tr><th><button>a</button></th><th><button>b</button></th></tr></"
+         "thead><tbody><tr><td>1</td><td></td>"
          "</tr><tr><td>2</td></tr></tbody></table>"
          "<script>console.error('oh')</script></body></html>";
   const BrowserVisit seen = visit(folder.path(), {"wrong.html"});
@@ -26,5 +30,7 @@ TEST(BrowserVisit, SeesWhatIsWrong)
   EXPECT_EQ(page.at("dead"), 1);
   EXPECT_GT(page.at("width").get<int>(), 390);
   EXPECT_EQ(page.at("tables").at("t"), json({{"rows", 2}, {"uneven", 1}, {"empty", 1}}));
+  EXPECT_EQ(page.at("captions"), json::array({"bare"}));
+  EXPECT_GT(page.at("first").at(0).get<double>(), 844.0);
   EXPECT_EQ(seen.console.size(), 1u);
 }

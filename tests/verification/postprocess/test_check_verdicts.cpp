@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Grains in their places and beyond the walls, in the last file of a run: what the checks say, and
 // what the program ends with.
 #include "closed_form_case.h"

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Columns of two gradations in one folder, beside the values of the study's own (Table 7,
 // section 4.2).
 #include "closed_form_case.h"
+#include "drawing/figures.h"
 #include "report/page_parts.h"
 #include "support/child_program.h"
 
@@ -54,6 +56,35 @@ TEST(ColumnSeries, StandsBesideTheStudyByGradation)
   EXPECT_TRUE(has(text, "secant modulus E50 +MPa +sigma3=50 kPa .* not run")) << text;
   const std::string table = read_text(series.path() / "table.csv");
   EXPECT_TRUE(has(table, "s2,\"?porosity, of the sample in the laboratory\"?,-,0\\.4000")) << table;
+}
+
+// 228.5, 239.4 and 248.7 kPa at 24 mm: on the upper platen, which bears 950 kPa here, a disc would
+// hide the next one. Their bars follow one another about 24 mm, each at its own pressure.
+TEST(ColumnSeries, KeepsTheStudysNumbersApart)
+{
+  const TemporaryFolder series;
+  for (const std::string gradation : {"S2", "S3", "S4"})
+    make_column(series.path() / gradation, gradation, 1.0);
+  const CaseRuns found = read_case_runs({series.path()});
+  const Targets targets(fs::path(ENCASE_SOURCE) / "postprocess/targets.csv");
+  const std::vector<SetResult> sets = evaluate(found.runs, {}, targets);
+  const std::vector<Figure> figures = column_series_figures(sets, targets);
+  ASSERT_EQ(figures.front().name, "column_pressure_gradation");
+  const Panel& upper = figures.front().panels.front();
+  std::vector<Series> bars;
+  for (const Series& series : upper.series)
+    if (series.label.rfind("study, ", 0) == 0) bars.push_back(series);
+  ASSERT_EQ(bars.size(), 3u);
+  const std::vector<double> pressures{228.5, 239.4, 248.7};
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    EXPECT_EQ(bars[i].y, std::vector<double>(2, pressures[i]));
+    EXPECT_EQ(bars[i].color, upper.series[i].color) << "of its column";
+    EXPECT_GT(bars[i].x.back(), bars[i].x.front());
+    if (i > 0) {
+      EXPECT_GE(bars[i].x.front(), bars[i - 1].x.back() - 1e-9);
+    }
+  }
+  EXPECT_NEAR(0.5 * (bars.front().x.front() + bars.back().x.back()), 24.0, 1e-9);
 }
 
 TEST(Counterparts, OfAColumnAreItsOwnFigures)

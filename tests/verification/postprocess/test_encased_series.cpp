@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A series made of closed forms: a plain test and an encased one of constant volume that mobilises
 // 36.4 deg, with the study's sleeve (J 115 kN/m, R 50 mm, H 200 mm), both at 50 kPa.
 #include "closed_form_case.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Runs that were not made with what the rows of series.csv say.
 #include "closed_form_case.h"
 #include "support/child_program.h"

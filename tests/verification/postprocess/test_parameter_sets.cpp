@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Runs made with several sets of parameters in one folder: each set has its own line and its own
 // tables, and what the study gives values for stands side by side.
 #include "closed_form_case.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // 3-D pictures of grains and contacts that are known: a column of two halves, and three bars in it.
 #include "closed_form_case.h"
 #include "files/pvd_collection.h"
@@ -43,11 +44,13 @@ void write_column(const fs::path& run, bool strain)
   ASSERT_TRUE(write_grains(make_series(run, "grains"), grains, options));
 }
 
-/// Upright bars of 20 N on the left, 10 N on the right and 4.9 N between them.
-void write_bars(const fs::path& run)
+/// Upright bars of these forces [N] from left to right.
+void write_bars(const fs::path& run, const std::vector<double>& forces)
 {
   std::vector<ContactRecord> contacts;
-  for (const auto& [x, force] : {std::pair{-0.03, 20.0}, {0.0, 4.9}, {0.03, 10.0}}) {
+  for (const double force : forces) {
+    const double x =
+        0.06 * static_cast<double>(contacts.size()) / static_cast<double>(forces.size() - 1) - 0.03;
     ContactRecord contact{};
     contact.from = {x, 0.0, 0.05};
     contact.to = {x, 0.0, 0.15};
@@ -57,7 +60,17 @@ void write_bars(const fs::path& run)
   ASSERT_TRUE(write_contacts(make_series(run, "contacts"), contacts));
 }
 
-/// Two runs, the older of which knows neither contacts nor strains; drawn once for all tests.
+/// An encased run at `stress` [kPa] whose files have its contacts of `chains` [N] and more.
+void write_chains(const fs::path& run, int stress, const std::string& chains)
+{
+  write_case(run, "encased", true, stress / 50.0);
+  describe_case(run, "encased",
+                R"("sigma3": )" + std::to_string(1000 * stress) + R"(, "chains": )" + chains);
+  write_column(run, false);
+  write_bars(run, {80.0, 50.0, 30.0, 60.0});
+}
+
+/// Runs, the oldest of which knows neither contacts nor strains; drawn once for all tests.
 class PicturesTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite()
@@ -66,9 +79,12 @@ class PicturesTest : public ::testing::Test {
     const fs::path series = folder_->path();
     write_case(series / "plain", "plain");
     write_column(series / "plain", true);
-    write_bars(series / "plain");
+    write_bars(series / "plain", {20.0, 4.9, 10.0});
     write_case(series / "encased", "encased");
     write_column(series / "encased", false);
+    write_chains(series / "all_chains", 100, "5");
+    write_chains(series / "some_chains", 150, "30");
+    write_chains(series / "few_chains", 200, "70");
     outcome_ = run_program({ENCASE_COMMAND, "report", "--draft", series}, series);
   }
   static void TearDownTestSuite() { delete folder_; }
@@ -108,6 +124,32 @@ TEST_F(PicturesTest, OfForceChainsHaveBarsAsThickAsTheirForce)
     EXPECT_GT(widths[0], 10) << "row " << y;
     EXPECT_NEAR(widths[1], 0.5 * widths[0], 1.5) << "row " << y;
   }
+}
+
+// Figure 13b: 80, 50, 30 and 60 N stand in the views of 20, 40 and 60 N as far as they bear that,
+// and as thick in each.
+TEST_F(PicturesTest, OfForceLevelsShowWhatBearsEachSideBySide)
+{
+  const PicturePixels picture(file("force_levels_all_chains.png"));
+  ASSERT_EQ(picture.width(), 1500);
+  constexpr int view = 423;  // px wide: a third of what the color bar leaves
+  const int y = picture.height() * 2 / 5;
+  const std::vector<int> all = picture.colored_widths(y, 1, view);
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(picture.colored_widths(y, view, 2 * view), (std::vector<int>{all[0], all[1], all[3]}));
+  EXPECT_EQ(picture.colored_widths(y, 2 * view, 3 * view), (std::vector<int>{all[0], all[3]}));
+}
+
+// What a run dropped is not shown as if there were none.
+TEST_F(PicturesTest, OfForceLevelsLeaveOutLevelsBelowWhatTheRunWrote)
+{
+  const PicturePixels picture(file("force_levels_some_chains.png"));
+  constexpr int view = 635;  // half
+  const int y = picture.height() * 2 / 5;
+  EXPECT_EQ(picture.colored_widths(y, 1, view).size(), 3u) << "40 N";
+  EXPECT_EQ(picture.colored_widths(y, view, 2 * view).size(), 2u) << "60 N";
+  EXPECT_FALSE(fs::exists(file("force_levels_few_chains.png")));
+  EXPECT_TRUE(outcome_.says("no picture of force chains of 20, 40 and 60 N of 'few_chains'"));
 }
 
 // The grains before the cut, were they drawn, would make all others violet.

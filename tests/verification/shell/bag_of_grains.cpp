@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "bag_of_grains.h"
 
 #include "core/constants.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 #include "static_shell.h"
 
 #include "core/constants.h"

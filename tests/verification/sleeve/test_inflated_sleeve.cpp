@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // An empty sleeve under pressure from inside, through the deck, against D w'''' + E t w / R^2 = p.
 #include "support/child_program.h"
 #include "support/csv_table.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // Ends of a sleeve that move, through the deck.
 #include "support/child_program.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // The energy of grains and sleeve together, through the deck.
 #include "restart/encased_deck.h"
 #include "support/csv_table.h"

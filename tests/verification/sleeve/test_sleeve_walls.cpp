@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-only
 // A sleeve and the walls beside it, through the deck.
 #include "support/child_program.h"
 

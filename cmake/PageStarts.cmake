@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-2.0-only
+# read_page_starts(OUT PAGE...): for each user page of a style (it has the heading "Syntax") a row of C++ with its title, the
+# first sentence below it, and its file below src_plugin.
+function(read_page_starts out)
+  set(rows)
+  foreach(page ${ARGN})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
+    file(READ ${page} text)
+    if(NOT text MATCHES "\n## Syntax\n")
+      continue()
+    endif()
+    string(REGEX MATCH "^# ([^\n]+)\n\n(([^\n]+\n)+)" start "${text}")
+    set(title "${CMAKE_MATCH_1}")
+    string(REGEX REPLACE "\n" " " summary "${CMAKE_MATCH_2}")
+    string(REGEX REPLACE "\\. .*" "." summary "${summary}")
+    file(RELATIVE_PATH file ${CMAKE_SOURCE_DIR}/src_plugin ${page})
+    string(APPEND rows "      {R\"page(${title})page\", R\"page(${summary})page\", \"${file}\"},\n")
+  endforeach()
+  set(${out} "${rows}" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The three sentences at the end of a run, from histories in closed form and a table of published
+// values written here.
+#include "closed_form_case.h"
+#include "support/child_program.h"
+#include "tables/result_sentences.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+using namespace encased_column;
+using namespace encased_column::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+class ResultSentences : public ::testing::Test {
+ protected:
+  /// Plain tests at 50 and 100 kPa, q 146 and 292 kPa times `strength`; the porosity is 0.34.
+  void make_tests(double strength = 1.0)
+  {
+    for (const int factor : {1, 2}) {
+      const std::string stress = std::to_string(50 * factor);
+      const fs::path run = series_.path() / ("test_" + stress);
+      write_case(run, "plain", true, factor, strength);
+      describe_case(run, "plain", "\"sigma3\": " + stress + "000, \"resolution\": \"quick\"");
+    }
+  }
+  Outcome report(const std::string& published)
+  {
+    const fs::path targets = series_.path() / "published.csv";
+    std::ofstream(targets) << "set,quantity,unit,condition,value_test,value_model,source\n"
+                           << published;
+    return run_program({ENCASE_COMMAND, "report", "--brief", "--no-pictures", "--targets", targets,
+                        series_.path()},
+                       series_.path());
+  }
+
+  TemporaryFolder series_;
+};
+
+/// What the laboratory has not measured.
+const std::string of_the_model = "plain_triaxial,peak deviator q,kPa,sigma3=50 kPa,,150,table\n";
+
+}  // namespace
+
+// 146 is 14.1 % below 170 and 15.1 % below 172.
+TEST_F(ResultSentences, TellWhatIsWithinFifteenPercentAndWhatIsNot)
+{
+  make_tests();
+  const Outcome outcome = report(
+      "plain_triaxial,peak deviator q,kPa,sigma3=50 kPa,170,,table\n"
+      "plain_triaxial,peak deviator q,kPa,sigma3=100 kPa,344,,table\n"
+      "plain_triaxial,porosity,-,prepared sample,0.35,,table\n");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.output,
+            "Met within 15 % of the laboratory: 3 of 4 values (peak q 1 of 2, porosity 2 of 2).\n"
+            "Not met: peak q of test_100 292.0 for 344 kPa (-15 %).\n"
+            "Checks of the runs: none of 14 missed, 2 not made.\n");
+  EXPECT_EQ(read_text(series_.path() / "summary.txt"), outcome.output);
+}
+
+// Grains without cohesion at sin phi = 146 / 246. The laboratory's 5 kPa is within what 15 % of its
+// smallest peak are worth there: 0.15 x 160 x (1 - sin 36) / (2 cos 36) = 6.1 kPa; 7 kPa is not.
+TEST_F(ResultSentences, MeasureCohesionByThePeaks)
+{
+  EXPECT_NEAR(cohesion_allowance(160e3, 36.0 * M_PI / 180.0), 6.114e3, 1.0);
+  make_tests();
+  const auto said = [&](const std::string& cohesion) {
+    return report(
+               "plain_triaxial,apparent friction angle,deg,line,36,,table\n"
+               "plain_triaxial,apparent cohesion,kPa,line," +
+               cohesion +
+               ",,table\n"
+               "plain_triaxial,peak deviator q,kPa,sigma3=50 kPa,160,,table\n")
+        .output;
+  };
+  EXPECT_NE(
+      said("5").find("3 of 3 values (peak q 1 of 1, friction angle 1 of 1, cohesion 1 of 1).\n"
+                     "Not met: none.\n"),
+      std::string::npos)
+      << said("5");
+  EXPECT_NE(said("7").find("Not met: cohesion of the plain tests "), std::string::npos)
+      << said("7");
+}
+
+TEST_F(ResultSentences, OwnThatThereIsNothingToCompareWith)
+{
+  make_tests();
+  EXPECT_EQ(report(of_the_model).lines().front(),
+            "The laboratory has no values beside which these tests could stand.");
+}
+
+// Far below the confining stress that was asked for: both checks of it are missed in both tests.
+TEST_F(ResultSentences, NameTheChecksThatWereMissed)
+{
+  make_tests();
+  for (const char* run : {"test_50", "test_100"})
+    describe_case(series_.path() / run, "plain", "\"sigma3\": 200000, \"resolution\": \"quick\"");
+  const std::string last = report(of_the_model).lines().back();
+  EXPECT_EQ(last.rfind("Checks of the runs: 4 of 14 missed (test_", 0), 0u) << last;
+  EXPECT_NE(last.find("test_50 confining stress held"), std::string::npos) << last;
+}
