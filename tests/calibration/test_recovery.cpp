@@ -3,6 +3,7 @@
 // intervals that hold those parameters.
 #include "config/quantities.h"
 #include "runs/run_formula.h"
+#include "search/identifiability.h"
 #include "stages/calibration.h"
 
 #include <gtest/gtest.h>
@@ -140,6 +141,47 @@ TEST(Recovery, MeetsItsTargetsAndEndsBeforeItsBudget)
   for (const FittedOutput& one : found.fitted.outputs) {
     EXPECT_EQ(one.validations.size(), 2u);
     EXPECT_GT(better_of(one.validations).score, 0.9);
+  }
+}
+
+// The curve of the formula at known parameters in place of single values: what it tells are
+// stiffness and friction.
+TEST(Recovery, FitsAWholeCurve)
+{
+  CalibrationConfig config = recovery_config();
+  config.space =
+      ParameterSpace({{"modulus", "Pa", 40e6, 400e6, true}, {"mu", "-", 0.1, 0.9, false}});
+  const Eigen::Vector2d truth(0.4, 0.6);
+  PlannedRun run{{0, 0, "high"}, rows[1], rows[1].variables};
+  run.variables.emplace_back("modulus", std::to_string(config.space.value(0, truth[0])));
+  run.variables.emplace_back("mu", std::to_string(config.space.value(1, truth[1])));
+  run.variables.emplace_back("seed", "99");
+  const RunResult laboratory = run_formula(run);
+  Target target{"curve", {"high"}, 0.0, 4e3, 2.0, {}, {}, laboratory.strain, laboratory.stress};
+  const SampledCurve curve(laboratory.strain, laboratory.stress);
+  for (const double strain : {0.01, 0.02, 0.04, 0.08}) {
+    target.strain.push_back(strain);
+    target.stress.push_back(curve.value(strain));
+  }
+  config.targets = {target};
+  RunStore store(":memory:");
+  std::ostringstream screen;
+  Calibration calibration(config, rows, store, screen);
+  ASSERT_EQ(calibration.run(*formula_program()), RunsEnd::made);
+  const Findings found = calibration.findings();
+  ASSERT_EQ(found.outputs.size(), 4u);
+  double weight = 0.0;
+  for (std::size_t n = 0; n < 4; ++n) {
+    weight += found.outputs[n].goal.weight;
+    EXPECT_EQ(found.outputs[n].goal.value, target.stress[n]);
+    EXPECT_NEAR(found.values[static_cast<Eigen::Index>(n)], target.stress[n],
+                0.05 * target.stress[n]);
+  }
+  EXPECT_DOUBLE_EQ(weight, 2.0);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_LT(quantile(found.posterior.points.col(i), 0.025), truth[i]);
+    EXPECT_GT(quantile(found.posterior.points.col(i), 0.975), truth[i]);
+    EXPECT_EQ(knowledge_of(found.posterior.points.col(i)), Knowledge::told);
   }
 }
 
