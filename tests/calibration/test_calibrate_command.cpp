@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Writes a.yaml: two parameters of the program `hyperbola`, 12 points of which one has two
+/// Writes a.yaml: two parameters of the program `hyperbola`, 20 points of which one has two
 /// packings, and a round with three runs.
 void write_config(const fs::path& folder, const std::string& high = "800 kPa")
 {
@@ -33,11 +33,11 @@ void write_config(const fs::path& folder, const std::string& high = "800 kPa")
       << ", unit: Pa}\ntargets:\n"
          "  - {quantity: secant_modulus, case: one, value: 12 MPa, tolerance: 0.1 %}\n"
          "  - {quantity: peak_q, case: one, value: 350 kPa, tolerance: 0.1 %}\n"
-         "design: {points: 12, repeated: 1, repeats: 2}\n"
+         "design: {points: 20, repeated: 1, repeats: 2}\n"
          "search: {surrogates: [regression], folds: 4, rounds: 1, candidates: 2, samples: 400}\n";
 }
 
-constexpr long all_runs = 13 + 3;
+constexpr long all_runs = 21 + 3;
 
 long lines_in(const fs::path& file)
 {
@@ -64,7 +64,7 @@ TEST(CalibrateCommand, KilledItGoesOnAndLosesAtMostTheRunsInFlight)
   ASSERT_EQ(first.exit_code, 0) << first.output;
   EXPECT_EQ(lines_in(whole.path() / "starts"), all_runs);
 
-  for (const long after : {4L, 15L}) {  // in the design, in the round of candidates
+  for (const long after : {4L, 23L}) {  // in the design, in the round of candidates
     const pid_t child = fork();
     if (child == 0) {
       if (chdir(killed.path().c_str()) != 0) _exit(1);
@@ -104,7 +104,7 @@ TEST(CalibrateCommand, ReportsFilesTheParametersAndFailedRuns)
   const Outcome outcome = run_program(words({}), folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_TRUE(outcome.says(" failed and is left out: exit code 3 of '")) << outcome.output;
-  EXPECT_TRUE(outcome.says("Round 1: 16 runs")) << outcome.output;
+  EXPECT_TRUE(outcome.says("Round 1: 24 runs")) << outcome.output;
 
   double strength = 400e3, stiffness = 20e6;
   for (int n = 0; n < 200; ++n) {  // peak = 0.2 / (1 / K + 0.2 / S) = 350 kPa, E50 = 12 MPa
@@ -126,7 +126,7 @@ TEST(CalibrateCommand, ReportsFilesTheParametersAndFailedRuns)
   const std::string page = read_text(folder.path() / "out/report.html");
   for (const char* part : {"<h1>Calibration: small</h1>", "Failed runs, left out", "exit code 3 of",
                            "Sobol indices of", "Cross-validation", "Parameters against one another",
-                           "secant_modulus of one", "16 runs, "})
+                           "secant_modulus of one", "24 runs, "})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   EXPECT_EQ(page.find("{{"), std::string::npos);
 

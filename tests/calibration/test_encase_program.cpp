@@ -12,7 +12,7 @@
 using namespace encased_column;
 namespace fs = std::filesystem;
 
-// A test of a hundred grains to 1 % of strain, and one that the deck refuses.
+// A test of a hundred grains to 2 % of strain, and one that the deck refuses.
 TEST(EncaseProgram, ReadsWhatTheReportOfTheSameRunsSays)
 {
   const encased_column::testing::TemporaryFolder folder;
@@ -21,7 +21,6 @@ TEST(EncaseProgram, ReadsWhatTheReportOfTheSameRunsSays)
   config.file = folder.path() / "a.yaml";
   config.runs.cases = {"plain"};
   config.runs.cases_file = folder.path() / "small.csv";
-  config.runs.set = {{"strain_end", "0.01"}};
   config.runs.ranks = "1";
   config.space = ParameterSpace({{"mu", "-", -1.0, 0.8, false}});
   const Places places = find_places();

@@ -142,6 +142,14 @@ TEST(CrossValidation, FindsTheErrorOfRunsThatWereNotLearnt)
   EXPECT_DOUBLE_EQ(found.score, 1.0 - found.error * found.error / variance);
 }
 
+TEST(CrossValidation, ForetellsARunWithoutItsOwnValue)
+{
+  Data data = data_of(30, wave);
+  const double foretold = cross_validate(SurrogateKind::polynomial, data, 30, 1).foretold[7];
+  data.values[7] += 10.0;
+  EXPECT_EQ(cross_validate(SurrogateKind::polynomial, data, 30, 1).foretold[7], foretold);
+}
+
 TEST(CrossValidation, PrefersTheSurrogateThatForetellsBetter)
 {
   const Data data =
