@@ -79,9 +79,13 @@ class CommandProgram : public RunProgram {
     const fs::path folder = folder_ / run.id();
     fs::remove_all(folder);
     fs::create_directories(folder);
-    std::vector<std::string> words = plan_.command;
-    for (const auto& [name, value] : run.variables) words.push_back(name + "=" + value);
-    return {&run, start_program({words, folder, folder / "output.txt", true, -1}), Clock::now()};
+    Start start;
+    start.words = plan_.command;
+    for (const auto& [name, value] : run.variables) start.words.push_back(name + "=" + value);
+    start.folder = folder;
+    start.screen = folder / "output.txt";
+    start.own_session = true;
+    return {&run, start_program(start), Clock::now()};
   }
 
   RunResult result_of(const Running& one, int code) const

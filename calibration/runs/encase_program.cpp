@@ -108,7 +108,10 @@ class EncaseProgram : public RunProgram {
     write_text_file(cases, cases_text(runs));
     const SignalMask mask;
     StopSignals signals;
-    const pid_t pid = start_program({words(cases), "", "", true, -1});
+    Start start;
+    start.words = words(cases);
+    start.own_session = true;
+    const pid_t pid = start_program(start);
     int code = 0;
     while (!has_ended(pid, code)) {
       if (signals.wait(look_every)) kill(pid, SIGTERM);

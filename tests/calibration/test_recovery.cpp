@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Synthetic recovery: "laboratory" values from a formula with known parameters come back as
 // intervals that hold those parameters.
+#include "analysis/sampled_curve.h"
 #include "config/quantities.h"
 #include "runs/run_formula.h"
 #include "search/identifiability.h"
