@@ -102,8 +102,8 @@ std::string agreement_sentence(const std::vector<AgreementNumber>& numbers)
   const std::string all = std::to_string(numbers.size());
   return (all_near ? "All " + all : std::to_string(near) + " of " + all) +
          (numbers.size() == 1 ? " number" : " numbers") +
-         (near == 1 || numbers.size() == 1 ? " lies" : " lie") + " within " + fixed(100.0 * near_laboratory, 0) +
-         " % of " + whose +
+         (near == 1 || numbers.size() == 1 ? " lies" : " lie") + " within " +
+         fixed(100.0 * near_laboratory, 0) + " % of " + whose +
          "; farthest off: " + farthest.quantity + " (" + farthest.tests + "), " +
          fixed(farthest.ratio, 2) + " times it.";
 }

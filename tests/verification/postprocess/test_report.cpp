@@ -153,7 +153,7 @@ TEST_F(ReportTest, AnswersInItsFirstScreenWhetherItAgrees)
             << name << ", " << window.width << " px wide";
     }
   EXPECT_TRUE(std::regex_search(
-      text("report.html"), std::regex("\\d of \\d numbers lies? within 10 % of the laboratory")));
+      text("report.html"), std::regex("\\d of \\d numbers lies? within 15 % of the laboratory")));
 }
 
 // Where more is to be computed than there are cores, as when tests run side by side, the browser
