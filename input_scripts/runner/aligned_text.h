@@ -7,8 +7,10 @@
 
 namespace encased_column {
 
-/// `rows` of as many cells each as lines whose columns stand below each other, two blanks apart.
-inline std::string left_aligned(const std::vector<std::vector<std::string>>& rows)
+/// `rows` of as many cells each as lines whose columns stand below each other, two blanks apart;
+/// those in `right` are flush right.
+inline std::string aligned(const std::vector<std::vector<std::string>>& rows,
+                           const std::vector<std::size_t>& right = {})
 {
   std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size(), 0);
   for (const auto& row : rows)
@@ -18,7 +20,9 @@ inline std::string left_aligned(const std::vector<std::vector<std::string>>& row
     std::string line;
     for (std::size_t n = 0; n < row.size(); ++n) {
       line.append(n && widths[n] ? 2 : 0, ' ');
-      line += row[n] + std::string(widths[n] - row[n].size(), ' ');
+      const std::string blanks(widths[n] - row[n].size(), ' ');
+      const bool is_right = std::count(right.begin(), right.end(), n) > 0;
+      line += is_right ? blanks + row[n] : row[n] + blanks;
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }

@@ -34,6 +34,14 @@ std::string grains_of(const std::vector<ExpectedCase>& cases)
   return " of " + (from == to ? to : from + " to " + to) + " grains";
 }
 
+/// "80 MB of 5.0 GB that are free"; what `unknown` of `all` tests take comes on top.
+std::string room_for(double bytes, std::size_t unknown, std::size_t all, double free_bytes)
+{
+  if (unknown == all) return in_bytes(free_bytes) + " are free there";
+  return in_bytes(bytes) + (unknown ? " and more of " : " of ") + in_bytes(free_bytes) +
+         " that are free";
+}
+
 }  // namespace
 
 bool takes_minutes(const std::vector<ExpectedCase>& cases, const Schedule& schedule)
@@ -45,7 +53,7 @@ std::string announcement(const std::vector<ExpectedCase>& cases, const Schedule&
                          std::optional<double> rate, const Surroundings& around)
 {
   double bytes = 0.0;
-  long unknown = 0;
+  std::size_t unknown = 0;
   for (const ExpectedCase& one : cases) {
     bytes += one.size ? one.size->bytes : 0.0;
     unknown += !one.size;
@@ -53,14 +61,17 @@ std::string announcement(const std::vector<ExpectedCase>& cases, const Schedule&
   std::string text =
       std::to_string(cases.size()) + (cases.size() == 1 ? " test" : " tests") + grains_of(cases);
   if (unknown) text += " (" + std::to_string(unknown) + " of unknown size)";
-  text += "; results go to " + around.folder + ", " + in_bytes(bytes) + " of " +
-          in_bytes(around.free_bytes) + " that are free\n";
-  text += "Expected on this machine: ";
-  if (!takes_minutes(cases, schedule))
+  text += "; results go to " + around.folder + ", " +
+          room_for(bytes, unknown, cases.size(), around.free_bytes) + "\n" +
+          "Expected on this machine: ";
+  if (unknown == cases.size())
+    text += "unknown";
+  else if (!takes_minutes(cases, schedule))
     text += "a minute at most";
   else
     text += rate ? in_time(seconds_to_run(cases, schedule, *rate)) + " (its speed was measured)"
                  : "unknown, its speed cannot be measured";
+  if (unknown && unknown < cases.size()) text += " without what is of unknown size";
   if (around.pictures)
     text += ", then " + in_time(seconds_of_pictures * static_cast<double>(cases.size())) +
             " for tables and pictures";

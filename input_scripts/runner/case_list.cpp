@@ -3,6 +3,7 @@
 
 #include "core/input_error.h"
 #include "runner/case_variables.h"
+#include "runner/nearest_words.h"
 #include "runner/text_file.h"
 
 #include <algorithm>
@@ -34,7 +35,11 @@ const Case& case_called(const std::string& id, const std::vector<Case>& cases)
 {
   for (const Case& one : cases)
     if (one.id == id) return one;
-  throw InputError("unknown case '" + id + "', expected one of: " + joined(ids_of(cases)));
+  const std::vector<std::string> known = ids_of(cases);
+  const std::string nearest = nearest_clause(id, known);
+  throw InputError(
+      "unknown case '" + id + "'" +
+      (nearest.empty() ? ", expected one of: " + joined(known) : nearest + ", see --list"));
 }
 
 /// A case of the deck's name with its defaults.

@@ -2,6 +2,7 @@
 #include "runner/case_table.h"
 
 #include "core/input_error.h"
+#include "runner/aligned_text.h"
 #include "runner/text_file.h"
 
 #include <algorithm>
@@ -39,21 +40,12 @@ std::vector<std::string> missed_checks(const std::string& id, const fs::path& fi
 
 std::string case_table(const std::vector<CaseOutcome>& outcomes)
 {
-  std::size_t widest_id = 4, widest_outcome = 7;
-  for (const CaseOutcome& one : outcomes) {
-    widest_id = std::max(widest_id, one.id.size());
-    widest_outcome = std::max(widest_outcome, one.outcome.size());
-  }
-  const auto line = [&](const std::string& id, const std::string& outcome, const std::string& why) {
-    std::string text = id + std::string(widest_id + 2 - id.size(), ' ') + outcome;
-    if (!why.empty()) text += std::string(widest_outcome + 2 - outcome.size(), ' ') + why;
-    return text + "\n";
-  };
-  std::string table = line("case", "outcome", "why");
-  for (const CaseOutcome& one : outcomes) table += line(one.id, one.outcome, one.why);
+  std::vector<std::vector<std::string>> rows{{"case", "outcome", "why"}};
+  for (const CaseOutcome& one : outcomes) rows.push_back({one.id, one.outcome, one.why});
   const auto passed = std::count_if(outcomes.begin(), outcomes.end(),
                                     [](const CaseOutcome& one) { return one.outcome == "passed"; });
-  return table + std::to_string(passed) + " of " + std::to_string(outcomes.size()) + " passed.\n";
+  return aligned(rows) + std::to_string(passed) + " of " + std::to_string(outcomes.size()) +
+         " passed.\n";
 }
 
 CaseOutcome outcome_of(const CaseFolder& folder, const fs::path& checks_file)

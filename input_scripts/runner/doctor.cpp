@@ -122,7 +122,7 @@ std::string doctor_text(const std::vector<Finding>& findings)
     rows.push_back({verdict, one.what, one.sentence});
   }
   const std::string number = std::to_string(bad);
-  return left_aligned(rows) +
+  return aligned(rows) +
          (bad ? "\n" + number + (bad == 1 ? " thing needs" : " things need") +
                     " mending: what to do stands behind FAIL\n"
               : "\nThis machine has what the runs need: 'encase run' runs the default job\n");

@@ -2,6 +2,7 @@
 #include "runner/dry_run.h"
 
 #include "core/input_error.h"
+#include "runner/aligned_text.h"
 #include "runner/case_shape.h"
 #include "runner/machine_speed.h"
 #include "runner/text_file.h"
@@ -28,25 +29,6 @@ std::vector<std::string> row_of(const ExpectedCase& one, double seconds)
   if (!one.size) return {one.id, "-", "-", "-", "-", one.note};
   return {one.id,           in_thousands(one.size->grains), in_thousands(one.size->steps()),
           in_time(seconds), in_bytes(one.size->bytes),      one.note};
-}
-
-/// Columns of text, the first and last one flush left.
-std::string aligned(const std::vector<std::vector<std::string>>& rows)
-{
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t n = 0; n < row.size(); ++n) widths[n] = std::max(widths[n], row[n].size());
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t n = 0; n < row.size(); ++n) {
-      const std::string blanks(widths[n] - row[n].size(), ' ');
-      const bool left = n == 0 || n + 1 == row.size();
-      line += (n ? "  " : "") + (left ? row[n] + blanks : blanks + row[n]);
-    }
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
 }
 
 std::optional<ExpectedCase> expected_case(const CasePlan& plan, const fs::path& series,
@@ -108,7 +90,7 @@ std::string dry_run_table(const std::vector<ExpectedCase>& cases, const Schedule
       {"case", "grains", "steps", "expected time", "disk", ""}};
   std::vector<double> ordered;
   double bytes = 0.0;
-  int unknown = 0;
+  std::size_t unknown = 0;
   for (const std::size_t n : largest_first(work)) {
     rows.push_back(row_of(cases[n], work[n] * rank_rate));
     ordered.push_back(work[n]);
@@ -116,12 +98,17 @@ std::string dry_run_table(const std::vector<ExpectedCase>& cases, const Schedule
     unknown += !cases[n].size;
   }
   const std::string number = std::to_string(cases.size());
-  std::string text = aligned(rows) + number + (cases.size() == 1 ? " case" : " cases") +
+  std::string text = aligned(rows, {1, 2, 3, 4}) + number +
+                     (cases.size() == 1 ? " case" : " cases") +
                      ", at once: " + std::to_string(schedule.jobs) +
-                     ", MPI ranks each: " + std::to_string(schedule.ranks) + ": " +
-                     in_time(seconds_of_all(ordered, rank_rate, schedule.jobs)) + ", " +
-                     in_bytes(bytes) + " of " + in_bytes(free_bytes) + " that are free";
-  if (unknown) text += "; without " + std::to_string(unknown) + " of unknown size";
+                     ", MPI ranks each: " + std::to_string(schedule.ranks) + ": ";
+  if (unknown == cases.size())
+    text += "time and disk unknown, " + in_bytes(free_bytes) + " are free";
+  else
+    text += in_time(seconds_of_all(ordered, rank_rate, schedule.jobs)) + ", " + in_bytes(bytes) +
+            " of " + in_bytes(free_bytes) + " that are free";
+  if (unknown && unknown < cases.size())
+    text += "; without " + std::to_string(unknown) + " of unknown size";
   char speed[80];
   std::snprintf(speed, sizeof speed, "%.2f", 1e-6 / rate);
   return text + "\nThis machine takes " + speed +

@@ -34,7 +34,7 @@ std::string uses_in_decks(DeckCatalogue& decks, const std::string& name)
     rows.push_back({"variable of deck " + deck_name + ", --set " + name + "=VALUE",
                     values_by_set(decks, deck, name), variable.unit, variable.meaning});
   }
-  return rows.empty() ? "" : left_aligned(rows);
+  return rows.empty() ? "" : aligned(rows);
 }
 
 std::vector<std::string> variables_of(DeckCatalogue& decks)

@@ -86,7 +86,7 @@ std::string list_of_styles(const std::vector<StyleText>& styles)
 {
   std::vector<std::vector<std::string>> rows;
   for (const StyleText& style : styles) rows.push_back({style.name, style.summary});
-  return left_aligned(rows);
+  return aligned(rows);
 }
 
 std::string description(const StyleText& style)
@@ -97,12 +97,12 @@ std::string description(const StyleText& style)
   for (const StyleRow& row : style.keywords)
     rows.push_back(
         {"  " + row.name, values_in_words(row.values), "[" + row.unit + "]", row.meaning});
-  if (!rows.empty()) text += "\nKeywords:\n" + left_aligned(rows);
+  if (!rows.empty()) text += "\nKeywords:\n" + aligned(rows);
   for (const StyleTable& table : style.tables) {
     rows.clear();
     for (const StyleRow& row : table.columns)
       rows.push_back({"  " + row.name, "[" + row.unit + "]", row.meaning});
-    text += "\nColumns of " + table.file + ":\n" + left_aligned(rows);
+    text += "\nColumns of " + table.file + ":\n" + aligned(rows);
   }
   if (!style.page.empty()) text += "\nPage with examples: " + style.page + "\n";
   return text;
@@ -129,7 +129,7 @@ std::string uses_of(const std::vector<StyleText>& styles, const std::string& nam
           rows.push_back({"column of " + table.file + ", " + style.name, "", "[" + row.unit + "]",
                           row.meaning});
   }
-  return rows.empty() ? "" : left_aligned(rows);
+  return rows.empty() ? "" : aligned(rows);
 }
 
 std::vector<std::string> words_of(const std::vector<StyleText>& styles)

@@ -9,6 +9,7 @@
 #include "dump.h"
 #include "output.h"
 
+#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -27,6 +28,16 @@ std::set<std::string>& commands_that_wrote()
 {
   static std::set<std::string> names;
   return names;
+}
+
+/// Leaves nothing behind under an unfinished name: perhaps no run follows that would finish it.
+bool can_be_written(const std::string& path, const std::string& ending)
+{
+  const std::string tried = path + ending;
+  const bool is_new = !std::filesystem::exists(tried);
+  if (!std::ofstream(tried, std::ios::app)) return false;
+  if (is_new && !ending.empty()) std::filesystem::remove(tried);
+  return true;
 }
 
 /// The name of a dump's file is protected in the host.
@@ -82,7 +93,7 @@ std::string OutputFiles::file(const Options& options, const std::string& keyword
 {
   const std::string file = usual.empty() ? options.word(keyword) : options.word(keyword, usual);
   const std::string path = claim(keyword, file);
-  if (!on_first_rank_too(lmp_, lmp_->comm->me != 0 || std::ofstream(path + ending, std::ios::app)))
+  if (!on_first_rank_too(lmp_, lmp_->comm->me != 0 || can_be_written(path, ending)))
     throw InputError("'" + keyword + "' must be a file that can be written, found '" + file +
                      "', create its folder or give another name");
   return path;

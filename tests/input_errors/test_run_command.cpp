@@ -98,7 +98,8 @@ TEST(RunCommand, ListsFilesToReadByTheirPathInTheProject)
 
 TEST(RunCommand, RefusesAnUnknownOption)
 {
-  expect_refused({"--resolutoin", "quick"}, "unknown option '--resolutoin', nearest is '--resolution', see --help");
+  expect_refused({"--resolutoin", "quick"},
+                 "unknown option '--resolutoin', nearest is '--resolution', see --help");
 }
 
 TEST(RunCommand, RefusesAnOptionWithoutItsValue)
@@ -108,10 +109,17 @@ TEST(RunCommand, RefusesAnOptionWithoutItsValue)
 
 TEST(RunCommand, RefusesAnUnknownCase)
 {
-  const Outcome outcome = run_command({"--case", "plain_51"});
+  const Outcome outcome = run_command({"--case", "sand"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_TRUE(
-      outcome.says("encase run: unknown case 'plain_51', expected one of: plain_050 plain_100"));
+      outcome.says("encase run: unknown case 'sand', expected one of: plain_050 plain_100"));
+}
+
+TEST(RunCommand, NamesTheNearestCases)
+{
+  expect_refused(
+      {"--case", "plain_50"},
+      "unknown case 'plain_50', nearest are 'plain_050', 'plain_150' and 'plain_100', see --list");
 }
 
 TEST(RunCommand, RefusesAnUnknownResolution)

@@ -2,6 +2,7 @@
 // Every page of the source tree can be followed: its links and pictures are there. The first page
 // stays short and begins with what a newcomer needs.
 #include "pages/markdown_links.h"
+#include "pages/source_tree.h"
 #include "pages/word_table.h"
 
 #include <gtest/gtest.h>
@@ -16,19 +17,11 @@ namespace {
 
 const fs::path source = ENCASE_SOURCE;
 
-/// Pages of the tree but for what builds, runs and hidden folders hold.
 std::vector<fs::path> all_documents()
 {
   std::vector<fs::path> pages;
-  for (fs::recursive_directory_iterator entry(source), end; entry != end; ++entry) {
-    const std::string name = entry->path().filename();
-    if (entry->is_directory() &&
-        (name.front() == '.' ||
-         (entry.depth() == 0 && (name.rfind("build", 0) == 0 || name == "runs"))))
-      entry.disable_recursion_pending();
-    else if (entry->path().extension() == ".md")
-      pages.push_back(entry->path());
-  }
+  for (const fs::path& file : files_of_tree(source))
+    if (file.extension() == ".md") pages.push_back(file);
   return pages;
 }
 

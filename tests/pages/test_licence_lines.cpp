@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Every source names its licence in one of its first two lines, the one that CITATION.cff has.
+#include "pages/source_tree.h"
 #include "pages/word_table.h"
 #include "support/child_program.h"
 
@@ -51,17 +52,11 @@ TEST(LicenceLines, StandInEverySource)
   const std::string wanted = licence_line();
   ASSERT_FALSE(wanted.empty());
   int sources = 0;
-  for (fs::recursive_directory_iterator entry(source), end; entry != end; ++entry) {
-    const std::string name = entry->path().filename();
-    if (entry->is_directory() &&
-        (name.front() == '.' ||
-         (entry.depth() == 0 && (name.rfind("build", 0) == 0 || name == "runs"))))
-      entry.disable_recursion_pending();
-    else if (entry->is_regular_file() && is_source(entry->path())) {
-      ++sources;
-      EXPECT_TRUE(has_in_two_lines(entry->path(), wanted))
-          << entry->path() << ": write 'tests/support/add_licence_lines'";
-    }
+  for (const fs::path& file : files_of_tree(source)) {
+    if (!is_source(file)) continue;
+    ++sources;
+    EXPECT_TRUE(has_in_two_lines(file, wanted))
+        << file << ": write 'tests/support/add_licence_lines'";
   }
   EXPECT_GT(sources, 600);
 }

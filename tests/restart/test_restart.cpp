@@ -124,6 +124,16 @@ TEST(Restart, RampsOfWallsThatAreChangedAtOnceStartFromTheStressOfTheFile)
   EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
 }
 
+// As a stage of the decks that ends at once, before any step.
+TEST(Restart, LeavesNoFileWhereNoStepFollows)
+{
+  const TemporaryFolder folder;
+  run_in(folder.path(),
+         new_specimen("fix save all output/restart every 100 file saved\nunfix save\n"));
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    EXPECT_NE(entry.path().filename().string().rfind("saved", 0), 0u) << entry.path();
+}
+
 TEST(Restart, GoesOnWhileRadiiGrow)
 {
   const TemporaryFolder folder;

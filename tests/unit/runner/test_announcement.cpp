@@ -39,10 +39,19 @@ TEST(Announcement, MeasuresNothingForWhatIsShort)
   EXPECT_FALSE(takes_minutes(cases, {1, 1}));
   EXPECT_EQ(
       announcement(cases, {1, 1}, std::nullopt, {"out", 5e9, false}),
-      "2 tests of 100 grains (1 of unknown size); results go to out, 40 MB of 5.0 GB that are "
-      "free\n"
-      "Expected on this machine: a minute at most\n"
+      "2 tests of 100 grains (1 of unknown size); results go to out, 40 MB and more of 5.0 GB that "
+      "are free\n"
+      "Expected on this machine: a minute at most without what is of unknown size\n"
       "Ctrl-C stops at any moment, the same command with --resume goes on\n");
+}
+
+TEST(Announcement, OwnsThatASizeIsNotKnown)
+{
+  const std::vector<ExpectedCase> cases{{"own", std::nullopt, 0.0, ""}};
+  EXPECT_EQ(announcement(cases, {1, 1}, std::nullopt, {"out", 5e9, true}),
+            "1 test (1 of unknown size); results go to out, 5.0 GB are free there\n"
+            "Expected on this machine: unknown, then 20 s for tables and pictures\n"
+            "Ctrl-C stops at any moment, the same command with --resume goes on\n");
 }
 
 TEST(Announcement, OwnsThatASpeedIsNotKnown)

@@ -39,6 +39,16 @@ TEST(DryRun, TellsWhatEachCaseAndTheWholeTake)
             "just now\n");
 }
 
+TEST(DryRun, OwnsThatNoSizeIsKnown)
+{
+  const std::vector<ExpectedCase> cases{{"own", std::nullopt, 0.0, "its deck does not tell"}};
+  const std::string table = dry_run_table(cases, {1, 1}, 1e-7, 5e9);
+  EXPECT_NE(table.find("\n1 case, at once: 1, MPI ranks each: 1: time and disk unknown, 5.0 GB are "
+                       "free\nThis machine"),
+            std::string::npos)
+      << table;
+}
+
 // Two at once: 200 s beside 80 and 50; two ranks run each 1.85 times as fast.
 TEST(DryRun, CountsRanksAndCasesAtOnce)
 {
