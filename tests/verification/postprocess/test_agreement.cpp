@@ -110,3 +110,15 @@ TEST(RunVariables, StandOnceWithUnitsWhereRunsShareThem)
             "σ₃ 50 / 100 kPa, E* 140 MPa, μ 0.38 / 0.5, radius 50 mm, set laboratory, resolution "
             "quick");
 }
+
+// Of resolution quick: 8.5e-7 m per step are 0.85 mm in 1000 steps; 0.40 and 0.057 looser.
+TEST(RunVariables, AreThoseTheRunsWentWith)
+{
+  CaseRun run;
+  run.variables = {
+      {"porosity", 0.40}, {"generation", 0.457}, {"rate", 0.0}, {"rate_here", 8.5e-7}};
+  EXPECT_EQ(run_variables({&run}), "porosity 0.457, rate 0.85 mm per 1000 steps");
+  run.variables["rate"] = 1.2e-6;  // asked for
+  run.variables.erase("generation");
+  EXPECT_EQ(run_variables({&run}), "porosity 0.4, rate 1.2 mm per 1000 steps");
+}
