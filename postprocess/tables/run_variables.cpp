@@ -29,8 +29,8 @@ const std::vector<ShownVariable> shown_variables{
     {"seed", "seed", "", 1.0},
 };
 
-/// What `run` took for the deck's variable `name`: a rate of 0 stands for that of its resolution, and
-/// a resolution packs looser than the porosity that was asked for.
+/// What `run` took for the deck's variable `name`: a rate of 0 stands for that of its resolution,
+/// and a resolution packs looser than the porosity that was asked for.
 std::optional<double> resolved(const CaseRun& run, const std::string& name)
 {
   const std::optional<double> asked = run.number(name);
