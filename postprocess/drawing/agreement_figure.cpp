@@ -12,7 +12,8 @@ namespace encased_column {
 
 namespace {
 
-/// The laboratory's peak of a test like `test` and half of it at its E50.
+/// The laboratory's peak of a test like `test` and half of it at its E50; none beside a test that
+/// reproduces nothing of the study.
 struct LaboratoryMarks {
   std::vector<Series> peaks, halves;
 };
@@ -20,6 +21,7 @@ struct LaboratoryMarks {
 void mark_laboratory(LaboratoryMarks& marks, const SetResult& set, const TestResult& test,
                      const Targets& targets, Color color)
 {
+  if (test.run->reproduces.empty()) return;
   constexpr double begin = 0.25;  // of the strains: where peaks are near
   const std::string condition = confining_condition(test.run->confining_stress);
   const auto peak = targets.find(set.set, "peak deviator q", condition).laboratory;        // kPa
@@ -82,6 +84,12 @@ std::string without_kind(std::string label)
   return label;
 }
 
+bool reproduces_something(const SetResult& set)
+{
+  return std::any_of(set.tests.begin(), set.tests.end(),
+                     [](const TestResult& test) { return !test.run->reproduces.empty(); });
+}
+
 std::vector<Figure> agreement_of_set(const std::vector<SetResult>& sets, const Targets& targets)
 {
   if (sets.front().set == "column") return {};
@@ -92,6 +100,8 @@ std::vector<Figure> agreement_of_set(const std::vector<SetResult>& sets, const T
     for (std::string& label : labels[s]) label = without_kind(label);
     panels.push_back(both_platens(sets[s], labels[s], colors[s], targets));
   }
+  if (std::none_of(sets.begin(), sets.end(), reproduces_something))
+    return {{"agreement", "Both platens", "Stress on the bottom and on the top platen.", panels}};
   return {{"agreement", "Both platens beside the laboratory",
            "The laboratory's peaks follow from its φ and c; its E50 is known at 50 and 150 kPa.",
            panels}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "report/page_parts.h"
 
+#include "core/input_error.h"
 #include "drawing/figures.h"
 #include "page_templates.h"
 #include "tables/agreement.h"
@@ -201,12 +202,12 @@ void set_agreement(PageData& page, const std::vector<SetResult>& sets, const Tar
   PageData numbers{PageData::type::list};
   for (const AgreementNumber& number : found) {
     PageData tile{"tests", number.tests};
-    tile.set("quantity", number.quantity);
-    tile.set("found", number.found);
+    tile.set("quantity", number.name());
+    tile.set("found", in_three_digits(number.found));
     tile.set("unit", number.unit);
-    tile.set("published", number.published);
+    tile.set("published", in_words(number.published));
     tile.set("whose", number.of_laboratory ? "lab" : "study");
-    tile.set("ratio", fixed(number.ratio, 2));
+    tile.set("ratio", fixed(number.ratio(), 2));
     tile.set("near", number.near() ? PageData::type::bool_true : PageData::type::bool_false);
     numbers << tile;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "tables/agreement.h"
 
+#include "core/input_error.h"
 #include "tables/target_table.h"
 #include "tables/text_layout.h"
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 namespace encased_column {
 
@@ -18,6 +20,8 @@ struct TargetCell {
   static constexpr std::size_t set = 0, quantity = 1, unit = 2, condition = 3, laboratory = 4,
                                model = 5, first = 6;
 };
+
+const std::string peak_quantity = "peak deviator q";
 
 bool begins_with(const std::string& text, const std::string& start)
 {
@@ -30,33 +34,74 @@ std::string kind_of_tests(const std::string& set_name)
   return set_name.substr(0, set_name.find('_'));
 }
 
-/// What a tile calls a quantity; empty where it does not stand there.
-std::string tile_name(const std::vector<std::string>& row, bool has_line)
+/// What a quantity is called in short; empty where it tells nothing of agreement.
+std::string short_name(const std::vector<std::string>& row, bool has_line)
 {
-  if (begins_with(row[TargetCell::set], "column"))
-    return row[TargetCell::quantity] == "porosity" ? "" : row[TargetCell::quantity];
-  const std::string stress = "sigma3=";
-  const std::string at = begins_with(row[TargetCell::condition], stress)
-                             ? " at " + row[TargetCell::condition].substr(stress.size())
-                             : "";
-  if (begins_with(row[TargetCell::quantity], "secant modulus E50")) return "E50" + at;
-  if (begins_with(row[TargetCell::quantity], "apparent friction angle")) return "φ";
-  if (begins_with(row[TargetCell::quantity], "apparent cohesion")) return "c";
-  if (begins_with(row[TargetCell::quantity], "peak deviator q") && !has_line) return "peak q" + at;
+  const std::string& quantity = row[TargetCell::quantity];
+  if (begins_with(row[TargetCell::set], "column")) return quantity == "porosity" ? "" : quantity;
+  if (begins_with(quantity, "secant modulus E50")) return "E50";
+  if (begins_with(quantity, "apparent friction angle")) return "φ";
+  if (begins_with(quantity, "apparent cohesion")) return "c";
+  if (begins_with(quantity, peak_quantity) && !has_line) return "peak q";
   return "";
 }
 
-/// Three digits: enough beside published values.
-std::string in_three_digits(const std::string& number)
+/// "50 kPa" of a triaxial test's condition.
+std::string stress_of(const std::vector<std::string>& row)
 {
-  const double value = std::atof(number.c_str());
+  const std::string stress = "sigma3=";
+  const std::string& condition = row[TargetCell::condition];
+  return begins_with(condition, stress) ? condition.substr(stress.size()) : "";
+}
+
+bool of_laboratory(const std::vector<std::string>& row)
+{
+  return row[TargetCell::laboratory] != "-";
+}
+
+double published(const std::vector<std::string>& row)
+{
+  return std::atof(row[of_laboratory(row) ? TargetCell::laboratory : TargetCell::model].c_str());
+}
+
+/// What cohesion may be off in `set` [kPa]: by the smallest published peak [kPa] of those that the
+/// tests in `column` stand beside.
+double allowance_by_peaks(const Rows& rows, std::size_t column, const std::string& set,
+                          const Targets& targets)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  bool laboratory = true;
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    const std::vector<std::string>& row = rows[r];
+    if (row[TargetCell::set] != set || !begins_with(row[TargetCell::quantity], peak_quantity) ||
+        row[column + 1] == "-")
+      continue;
+    smallest = std::min(smallest, published(row));
+    laboratory = laboratory && of_laboratory(row);
+  }
+  const auto strength = targets.strength(set, laboratory);
+  if (!strength || !std::isfinite(smallest)) return 0.0;
+  return cohesion_allowance(smallest, strength->friction_angle);
+}
+
+}  // namespace
+
+const char* const nothing_to_compare =
+    "The laboratory has no values beside which these tests could stand.";
+
+double cohesion_allowance(double smallest_peak, double friction_angle)
+{
+  return near_laboratory * smallest_peak * (1.0 - std::sin(friction_angle)) /
+         (2.0 * std::cos(friction_angle));
+}
+
+std::string in_three_digits(double value)
+{
   if (std::abs(value) >= 100.0) return fixed(value, 0);
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;
 }
-
-}  // namespace
 
 std::vector<AgreementNumber> agreement_numbers(const std::vector<SetResult>& sets,
                                                const Targets& targets)
@@ -68,44 +113,48 @@ std::vector<AgreementNumber> agreement_numbers(const std::vector<SetResult>& set
   for (std::size_t column = TargetCell::first; column + 1 < headings.size(); column += 2)
     for (std::size_t r = 1; r < rows.size(); ++r) {
       const std::vector<std::string>& row = rows[r];
+      const std::string& set = row[TargetCell::set];
       const bool has_line = std::any_of(sets.begin(), sets.end(), [&](const SetResult& s) {
-        return s.set == row[TargetCell::set] && s.line &&
+        return s.set == set && s.line && of_study(s) &&
                (!several || headings[column] == "set " + s.parameters());
       });
-      const std::string name = tile_name(row, has_line);
+      const std::string name = short_name(row, has_line);
       if (name.empty() || row[column + 1] == "-") continue;
-      const bool of_laboratory = row[TargetCell::laboratory] != "-";
-      numbers.push_back(
-          {kind_of_tests(row[TargetCell::set]) + (several ? ", " + headings[column] : ""), name,
-           row[TargetCell::unit], in_three_digits(row[column]),
-           of_laboratory ? row[TargetCell::laboratory] : row[TargetCell::model],
-           std::atof(row[column + 1].c_str()), of_laboratory});
+      double allowed = near_laboratory * std::abs(published(row));
+      if (name == "c") allowed = std::max(allowed, allowance_by_peaks(rows, column, set, targets));
+      const bool triaxial = !begins_with(set, "column");
+      numbers.push_back({kind_of_tests(set) + (several ? ", " + headings[column] : ""), name,
+                         triaxial ? stress_of(row) : "", row[TargetCell::unit],
+                         std::atof(row[column].c_str()), published(row), allowed,
+                         of_laboratory(row)});
     }
   return numbers;
 }
 
+std::string met_count(const std::vector<AgreementNumber>& numbers)
+{
+  const bool laboratory = std::all_of(numbers.begin(), numbers.end(),
+                                      [](const AgreementNumber& n) { return n.of_laboratory; });
+  const auto met = std::count_if(numbers.begin(), numbers.end(),
+                                 [](const AgreementNumber& n) { return n.near(); });
+  return "Met within " + fixed(100.0 * near_laboratory, 0) + " % of the " +
+         (laboratory ? "laboratory: " : "study: ") + std::to_string(met) + " of " +
+         std::to_string(numbers.size()) + (numbers.size() == 1 ? " value" : " values");
+}
+
 std::string agreement_sentence(const std::vector<AgreementNumber>& numbers)
 {
-  if (numbers.empty()) return "The study tells no number of such tests.";
-  const bool of_laboratory = std::all_of(numbers.begin(), numbers.end(),
-                                         [](const AgreementNumber& n) { return n.of_laboratory; });
-  const std::string whose = of_laboratory ? "the laboratory's" : "the study's";
-  const auto near = std::count_if(numbers.begin(), numbers.end(),
-                                  [](const AgreementNumber& n) { return n.near(); });
+  if (numbers.empty()) return nothing_to_compare;
   const auto off = [](const AgreementNumber& n) {
-    return std::abs(std::log(std::max(n.ratio, 1e-3)));  // 2 is as far off as 0.5
+    if (n.near()) return 0.0;
+    return std::abs(std::log(std::max(n.ratio(), 1e-3)));  // 2 is as far off as 0.5
   };
   const AgreementNumber& farthest =
       *std::max_element(numbers.begin(), numbers.end(),
                         [&](const auto& a, const auto& b) { return off(a) < off(b); });
-  const bool all_near = near == static_cast<long>(numbers.size()) && near > 1;
-  const std::string all = std::to_string(numbers.size());
-  return (all_near ? "All " + all : std::to_string(near) + " of " + all) +
-         (numbers.size() == 1 ? " number" : " numbers") +
-         (near == 1 || numbers.size() == 1 ? " lies" : " lie") + " within " +
-         fixed(100.0 * near_laboratory, 0) + " % of " + whose +
-         "; farthest off: " + farthest.quantity + " (" + farthest.tests + "), " +
-         fixed(farthest.ratio, 2) + " times it.";
+  if (farthest.near()) return met_count(numbers) + ".";
+  return met_count(numbers) + "; farthest off: " + farthest.name() + " (" + farthest.tests + "), " +
+         fixed(farthest.ratio(), 2) + " times it.";
 }
 
 }  // namespace encased_column

@@ -144,6 +144,12 @@ bool name_parameters(const std::vector<SetResult>& sets)
                      [](const SetResult& set) { return !set.parameters().empty(); });
 }
 
+bool of_study(const SetResult& set)
+{
+  return std::none_of(set.tests.begin(), set.tests.end(),
+                      [](const TestResult& test) { return test.run->reproduces.empty(); });
+}
+
 std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen,
                                 const Targets& targets)
 {

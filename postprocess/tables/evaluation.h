@@ -59,6 +59,10 @@ struct SetResult {
 /// True if a run of `sets` says which set of parameters it was made with.
 bool name_parameters(const std::vector<SetResult>& sets);
 
+/// True if all tests of `set` reproduce something of the study, whose values are then the ones their
+/// common line may stand beside; a deck of one's own reproduces nothing.
+bool of_study(const SetResult& set);
+
 /// Evaluates all runs, plain and encased ones and each set of parameters by itself. Without
 /// `platen`, plain tests use the mean of both platens and encased ones the bottom: the sleeve takes
 /// load, and the study read its base wall. The results refer to `runs`. The sleeve is checked

@@ -25,11 +25,19 @@ std::string optional_text(const std::optional<double>& value)
   return value ? in_words(*value) : "-";
 }
 
+/// What the study gives for a quantity of `run`; nothing where the run reproduces nothing of it.
+Published published_of(const CaseRun& run, const Targets& targets, const std::string& quantity,
+                       const std::string& condition)
+{
+  if (run.reproduces.empty()) return {};
+  return targets.find(run.set(), quantity, condition);
+}
+
 /// The porosities a run knows; the study gives one, of the sample as prepared in the laboratory.
 void add_porosities(const TestResult& test, const Targets& targets, std::vector<ResultRow>& rows)
 {
   const CaseRun& run = *test.run;
-  const Published published = targets.find(run.set(), "porosity", "");
+  const Published published = published_of(run, targets, "porosity", "");
   const auto add = [&](const std::string& which, double value) {
     rows.push_back({run.id, "porosity, " + which, "-", value, 4, published});
   };
@@ -65,8 +73,9 @@ void add_radial_strains(const TestResult& test, const Targets& targets,
         std::string("radial strain at 0.") + height + "H at the end of the test";
     const std::string sign = ", from the bottom, expansion +";
     // Histories count the radius getting shorter as positive, the study its expansion.
-    rows.push_back({run.id, quantity + sign, "%", -100.0 * run.history.numbers(column).back(), 2,
-                    targets.find(run.set(), quantity, confining_condition(run.confining_stress))});
+    rows.push_back(
+        {run.id, quantity + sign, "%", -100.0 * run.history.numbers(column).back(), 2,
+         published_of(run, targets, quantity, confining_condition(run.confining_stress))});
   }
 }
 
@@ -116,23 +125,25 @@ std::vector<ResultRow> result_rows(const SetResult& set, const Targets& targets)
   for (const TestResult& test : set.tests)
     if (test.secant_modulus)
       rows.push_back({test.run->id, "secant modulus E50", "MPa", *test.secant_modulus / 1e6, 2,
-                      targets.find(set.set, "secant modulus E50", condition(test))});
+                      published_of(*test.run, targets, "secant modulus E50", condition(test))});
   for (const TestResult& test : set.tests)
     rows.push_back({test.run->id, "peak deviator q", "kPa", test.peak.reported / 1e3, 1,
-                    targets.find(set.set, "peak deviator q", condition(test))});
+                    published_of(*test.run, targets, "peak deviator q", condition(test))});
   if (set.line) {
     const Strength strength = strength_of(*set.line);
+    const auto published = [&](const char* quantity) {
+      return of_study(set) ? targets.find(set.set, quantity, "") : Published{};
+    };
     rows.push_back({"all", "apparent friction angle phi", "deg",
-                    strength.friction_angle * 180.0 / pi, 2,
-                    targets.find(set.set, "apparent friction angle", "")});
+                    strength.friction_angle * 180.0 / pi, 2, published("apparent friction angle")});
     rows.push_back({"all", "apparent cohesion c", "kPa", strength.cohesion / 1e3, 2,
-                    targets.find(set.set, "apparent cohesion", "")});
+                    published("apparent cohesion")});
   }
   for (const TestResult& test : set.tests) add_porosities(test, targets, rows);
   for (const TestResult& test : set.tests)
     if (test.grains)
       rows.push_back({test.run->id, "number of grains", "-", static_cast<double>(*test.grains), 0,
-                      targets.find(set.set, "number of particles", "")});
+                      published_of(*test.run, targets, "number of particles", "")});
   if (set.tests.front().run->encased())
     for (const TestResult& test : set.tests) {
       add_radial_strains(test, targets, rows);

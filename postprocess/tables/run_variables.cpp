@@ -29,6 +29,18 @@ const std::vector<ShownVariable> shown_variables{
     {"seed", "seed", "", 1.0},
 };
 
+/// What `run` took for the deck's variable `name`: a rate of 0 stands for that of its resolution,
+/// and a resolution packs looser than the porosity that was asked for.
+std::optional<double> resolved(const CaseRun& run, const std::string& name)
+{
+  const std::optional<double> asked = run.number(name);
+  if (!asked) return std::nullopt;
+  std::optional<double> used;
+  if (name == "rate" && *asked == 0.0) used = run.number("rate_here");
+  if (name == "porosity") used = run.number("generation");
+  return used ? used : asked;
+}
+
 void add_word(std::vector<std::string>& words, const std::string& word)
 {
   if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end())
@@ -53,7 +65,7 @@ std::string run_variables(const std::vector<const CaseRun*>& runs)
   for (const ShownVariable& variable : shown_variables) {
     std::vector<std::string> words;
     for (const CaseRun* run : runs)
-      if (const std::optional<double> value = run->number(variable.name))
+      if (const std::optional<double> value = resolved(*run, variable.name))
         add_word(words, in_words(variable.factor * *value));
     add_variable(text, variable.symbol, words, variable.unit);
   }

@@ -49,7 +49,7 @@ TargetRecord target_record(const SetResult& set, const TestResult& test)
   record.pressure = pressure_of(test);
   record.secant_modulus = test.secant_modulus;
   record.peak = test.peak.reported;
-  if (set.line) {
+  if (set.line && of_study(set)) {
     const Strength strength = strength_of(*set.line);
     record.friction_angle = strength.friction_angle;
     record.cohesion = strength.cohesion;

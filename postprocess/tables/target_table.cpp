@@ -68,10 +68,12 @@ std::vector<ParameterColumn> columns_of(const std::vector<SetResult>& sets)
   return columns;
 }
 
-/// "column_density" is of columns, the geotextile's rows of all that have a sleeve.
+/// "column_density" is of columns, the geotextile's rows of all that have a sleeve; none is of a
+/// run that reproduces nothing of the study.
 bool of_set(const ReadTest& read, const TargetRow& row)
 {
   const CaseRun& run = *read.test->run;
+  if (run.reproduces.empty()) return false;
   if (row.set == "geotextile") return run.encased();
   return row.set == run.set() || row.set.rfind(run.set() + "_", 0) == 0;
 }

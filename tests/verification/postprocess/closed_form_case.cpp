@@ -8,12 +8,13 @@ namespace encased_column::testing {
 
 namespace fs = std::filesystem;
 
-void describe_case(const fs::path& folder, const std::string& kind, const std::string& variables)
+void describe_case(const fs::path& folder, const std::string& kind, const std::string& variables,
+                   const std::string& reproduces)
 {
   std::ofstream(folder / "case.json")
       << "{\"id\": " << folder.filename() << ", \"deck\": \"triaxial_" << kind
-      << "\", \"title\": \"A test, " << kind << ", at 50 kPa\", \"variables\": {" << variables
-      << "}}\n";
+      << "\", \"title\": \"A test, " << kind << ", at 50 kPa\", \"reproduces\": \"" << reproduces
+      << "\", \"variables\": {" << variables << "}}\n";
 }
 
 void write_case(const fs::path& folder, const std::string& kind, bool core, double factor,

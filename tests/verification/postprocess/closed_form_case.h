@@ -18,8 +18,9 @@ inline constexpr double q_top = 900e3, q_bottom = 300e3, q_plain = 146e3;  // Pa
 void write_case(const std::filesystem::path& folder, const std::string& kind, bool core = true,
                 double factor = 1.0, double strength = 1.0);
 
-/// Rewrites its case.json with these variables: `"sigma3": 50000, "resolution": "quick"`.
+/// Rewrites its case.json with these variables: `"sigma3": 50000, "resolution": "quick"`. It stands
+/// beside the study unless `reproduces` is empty, as with a deck of one's own.
 void describe_case(const std::filesystem::path& folder, const std::string& kind,
-                   const std::string& variables);
+                   const std::string& variables, const std::string& reproduces = "Table 2");
 
 }  // namespace encased_column::testing

@@ -4,6 +4,7 @@
 #include "drawing/figures.h"
 #include "support/child_program.h"
 #include "tables/agreement.h"
+#include "tables/result_table.h"
 #include "tables/run_variables.h"
 
 #include <gtest/gtest.h>
@@ -29,6 +30,7 @@ class AgreementTest : public ::testing::Test {
   }
   const Targets targets_{fs::path(ENCASE_SOURCE) / "postprocess/targets.csv"};
   std::vector<SetResult> sets_;
+  std::vector<CaseRun> own_;
 
  private:
   TemporaryFolder series_;
@@ -37,7 +39,7 @@ class AgreementTest : public ::testing::Test {
 
 AgreementNumber number(const std::string& quantity, double ratio)
 {
-  return {"plain", quantity, "-", "1", "1", ratio, true};
+  return {"plain", quantity, "", "-", ratio, 1.0, 0.15, true};
 }
 
 }  // namespace
@@ -51,29 +53,48 @@ TEST_F(AgreementTest, TellsFoundOverLaboratory)
   const std::vector<std::string> tests{"plain", "plain", "encased", "encased"};
   const std::vector<std::string> names{"E50 at 50 kPa", "peak q at 50 kPa", "E50 at 50 kPa",
                                        "peak q at 50 kPa"};
-  const std::vector<std::string> found{"146", "146", "300", "300"};
+  const std::vector<double> found{146.0, 146.0, 300.0, 300.0};
   const std::vector<double> laboratory{10.9, 154.3, 5.7, 763.7};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     EXPECT_EQ(numbers[i].tests, tests[i]);
-    EXPECT_EQ(numbers[i].quantity, names[i]);
-    EXPECT_EQ(numbers[i].found, found[i]);
-    EXPECT_NEAR(numbers[i].ratio, std::stod(found[i]) / laboratory[i], 0.005 + 1e-9);
+    EXPECT_EQ(numbers[i].name(), names[i]);
+    EXPECT_NEAR(numbers[i].found, found[i], 0.05);
+    EXPECT_DOUBLE_EQ(numbers[i].published, laboratory[i]);
+    EXPECT_NEAR(numbers[i].allowed, 0.15 * laboratory[i], 1e-9);
     EXPECT_TRUE(numbers[i].of_laboratory);
   }
   EXPECT_EQ(agreement_sentence(numbers),
-            "1 of 4 numbers lies within 15 % of the laboratory's; farthest off: E50 at 50 kPa "
+            "Met within 15 % of the laboratory: 1 of 4 values; farthest off: E50 at 50 kPa "
             "(encased), 52.63 times it.");
+}
+
+// Gravel of one's own has no laboratory beside it, neither in numbers nor in the figure.
+TEST_F(AgreementTest, LeavesOutWhatReproducesNothingOfTheStudy)
+{
+  for (SetResult& set : sets_)
+    for (TestResult& test : set.tests) own_.push_back(*test.run);
+  for (CaseRun& run : own_) run.reproduces.clear();
+  const std::vector<SetResult> own = evaluate(own_, {}, targets_);
+  EXPECT_TRUE(agreement_numbers(own, targets_).empty());
+  for (const SetResult& set : own)
+    for (const ResultRow& row : result_rows(set, targets_)) {
+      EXPECT_FALSE(row.published.laboratory) << row.quantity;
+      EXPECT_FALSE(row.published.model) << row.quantity;
+    }
+  for (const Panel& panel : agreement_figures(own, targets_).front().panels)
+    for (const Series& series : panel.series)
+      EXPECT_EQ(series.label.find("laboratory"), std::string::npos) << series.label;
 }
 
 TEST(AgreementSentence, CallsHalfAsFarOffAsTwice)
 {
   EXPECT_EQ(agreement_sentence({number("a", 1.9), number("b", 0.5), number("c", 1.1)}),
-            "1 of 3 numbers lies within 15 % of the laboratory's; farthest off: b (plain), 0.50 "
+            "Met within 15 % of the laboratory: 1 of 3 values; farthest off: b (plain), 0.50 "
             "times it.");
   EXPECT_EQ(agreement_sentence({number("a", 0.9), number("b", 1.05)}),
-            "All 2 numbers lie within 15 % of the laboratory's; farthest off: a (plain), 0.90 "
-            "times it.");
-  EXPECT_EQ(agreement_sentence({}), "The study tells no number of such tests.");
+            "Met within 15 % of the laboratory: 2 of 2 values.");
+  EXPECT_EQ(agreement_sentence({}),
+            "The laboratory has no values beside which these tests could stand.");
 }
 
 TEST_F(AgreementTest, ShowsBothPlatensOfBothTestsAndTheLaboratory)
@@ -109,4 +130,15 @@ TEST(RunVariables, StandOnceWithUnitsWhereRunsShareThem)
   EXPECT_EQ(run_variables({&one, &two}),
             "σ₃ 50 / 100 kPa, E* 140 MPa, μ 0.38 / 0.5, radius 50 mm, set laboratory, resolution "
             "quick");
+}
+
+// Of resolution quick: 8.5e-7 m per step are 0.85 mm in 1000 steps; 0.40 and 0.057 looser.
+TEST(RunVariables, AreThoseTheRunsWentWith)
+{
+  CaseRun run;
+  run.variables = {{"porosity", 0.40}, {"generation", 0.457}, {"rate", 0.0}, {"rate_here", 8.5e-7}};
+  EXPECT_EQ(run_variables({&run}), "porosity 0.457, rate 0.85 mm per 1000 steps");
+  run.variables["rate"] = 1.2e-6;  // asked for
+  run.variables.erase("generation");
+  EXPECT_EQ(run_variables({&run}), "porosity 0.4, rate 1.2 mm per 1000 steps");
 }
