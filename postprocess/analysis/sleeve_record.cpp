@@ -76,9 +76,9 @@ std::vector<Check> sleeve_checks(const SleeveRecord& record, const StripLimit& l
     return *std::max_element(values.begin(), values.end());
   };
   return {
-      {"hoop tension of the sleeve, largest, within the strip test [kN/m]",
+      {"hoop tension of the sleeve, largest, within the study's strip test [kN/m]",
        largest(record.hoop_tension_max) / 1e3, limit.tension / 1e3, false},
-      {"hoop strain of the sleeve, largest, within the strip test", largest(record.hoop_strain_max),
+      {"hoop strain of the sleeve, largest, within the study's strip test", largest(record.hoop_strain_max),
        limit.strain, false},
   };
 }
