@@ -100,8 +100,9 @@ Panel boundary_path(const std::vector<Curve>& curves, const std::vector<SetResul
   }
   std::vector<Series> lines;
   for (const SetResult& set : sets)
-    lines.push_back(
-        laboratory_line(panel, set.set == "column" ? "encased_triaxial" : set.set, targets));
+    if (of_study(set))
+      lines.push_back(
+          laboratory_line(panel, set.set == "column" ? "encased_triaxial" : set.set, targets));
   for (Series& line : lines)
     if (!line.x.empty()) panel.series.push_back(std::move(line));
   return panel;

@@ -46,8 +46,8 @@ Panel radial_strain(const NamedTest& named, const Targets& targets)
     const auto shortening = run.history.numbers(column);
     panel.series.push_back(
         {name, percent(named.test->axial_strain), scaled(shortening, -100.0), palette(color)});
-    const auto published = targets.find(
-        run.set(), std::string("radial strain at 0.") + height + "H at the end of the test",
+    const auto published = published_of(
+        run, targets, std::string("radial strain at 0.") + height + "H at the end of the test",
         confining_condition(run.confining_stress));
     if (published.model)
       marks.push_back({"study's model, " + name,

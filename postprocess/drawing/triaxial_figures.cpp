@@ -79,11 +79,14 @@ void add_set(Panel& panel, const SetResult& set, std::size_t first_color, const 
     panel.series.push_back(failure_line(*set.line, highest,
                                         in_legend(name + "here", strength_of(*set.line)), color,
                                         Stroke::solid));
-  if (const auto strength = targets.strength(set.set, true))
+  const auto published = [&](bool laboratory) {
+    return of_study(set) ? targets.strength(set.set, laboratory) : std::nullopt;
+  };
+  if (const auto strength = published(true))
     panel.series.push_back(failure_line(failure_line_of(*strength), highest,
                                         in_legend(name + "laboratory", *strength), black,
                                         name_set ? stroke_of(set, 2, 0) : Stroke::dashed));
-  if (const auto strength = targets.strength(set.set, false))
+  if (const auto strength = published(false))
     panel.series.push_back(failure_line(failure_line_of(*strength), highest,
                                         in_legend(name + "model", *strength), grey,
                                         Stroke::dash_dotted));

@@ -46,7 +46,7 @@ PageData facts(const TestResult& test, const Targets& targets, const RunRecord& 
   PageData list{PageData::type::list};
   const auto published = [&](const std::string& quantity) {
     return beside_the_study(
-        targets.find(run.set(), quantity, confining_condition(run.confining_stress)));
+        published_of(run, targets, quantity, confining_condition(run.confining_stress)));
   };
   list << fact("Confining stress σ₃", in_words(run.confining_stress / 1e3) + " kPa", "");
   list << fact("Peak deviatoric stress q", fixed(test.peak.reported / 1e3, 0) + " kPa",

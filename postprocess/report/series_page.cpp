@@ -158,10 +158,14 @@ std::string series_page(const std::vector<SetResult>& sets, const Targets& targe
         pictures.push_back(std::move(picture));
   }
   page.set("title", kinds_of(sets) + ": series " + fs::canonical(folder).filename().string());
+  const std::vector<const CaseRun*> runs = runs_of(sets);
+  const bool own = std::all_of(runs.begin(), runs.end(),
+                               [](const CaseRun* run) { return run->reproduces.empty(); });
   page.set("subtitle", std::to_string(tests) + (tests == 1 ? " test" : " tests") +
-                           " of cinder gravel beside the laboratory and the numerical model of "
-                           "the study.");
-  const std::string variables = run_variables(runs_of(sets));
+                           (own ? "."
+                                : " of cinder gravel beside the laboratory and the numerical model "
+                                  "of the study."));
+  const std::string variables = run_variables(runs);
   set_agreement(page, sets, targets, variables);
   set_tests(page, sets, folder);
   page.set("left_out", list_of("sentence", left_out));

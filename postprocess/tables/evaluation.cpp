@@ -144,6 +144,13 @@ bool name_parameters(const std::vector<SetResult>& sets)
                      [](const SetResult& set) { return !set.parameters().empty(); });
 }
 
+Published published_of(const CaseRun& run, const Targets& targets, const std::string& quantity,
+                       const std::string& condition)
+{
+  if (run.reproduces.empty()) return {};
+  return targets.find(run.set(), quantity, condition);
+}
+
 bool of_study(const SetResult& set)
 {
   return std::none_of(set.tests.begin(), set.tests.end(),

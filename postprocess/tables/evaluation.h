@@ -59,8 +59,13 @@ struct SetResult {
 /// True if a run of `sets` says which set of parameters it was made with.
 bool name_parameters(const std::vector<SetResult>& sets);
 
-/// True if all tests of `set` reproduce something of the study, whose values are then the ones their
-/// common line may stand beside; a deck of one's own reproduces nothing.
+/// What the study gives for a quantity of `run`, as Targets::find() has it; nothing where the run
+/// reproduces nothing of the study.
+Published published_of(const CaseRun& run, const Targets& targets, const std::string& quantity,
+                       const std::string& condition);
+
+/// True if all tests of `set` reproduce something of the study, whose values are then the ones
+/// their common line may stand beside; a deck of one's own reproduces nothing.
 bool of_study(const SetResult& set);
 
 /// Evaluates all runs, plain and encased ones and each set of parameters by itself. Without

@@ -25,14 +25,6 @@ std::string optional_text(const std::optional<double>& value)
   return value ? in_words(*value) : "-";
 }
 
-/// What the study gives for a quantity of `run`; nothing where the run reproduces nothing of it.
-Published published_of(const CaseRun& run, const Targets& targets, const std::string& quantity,
-                       const std::string& condition)
-{
-  if (run.reproduces.empty()) return {};
-  return targets.find(run.set(), quantity, condition);
-}
-
 /// The porosities a run knows; the study gives one, of the sample as prepared in the laboratory.
 void add_porosities(const TestResult& test, const Targets& targets, std::vector<ResultRow>& rows)
 {

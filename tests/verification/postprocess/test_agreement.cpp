@@ -81,7 +81,9 @@ TEST_F(AgreementTest, LeavesOutWhatReproducesNothingOfTheStudy)
       EXPECT_FALSE(row.published.laboratory) << row.quantity;
       EXPECT_FALSE(row.published.model) << row.quantity;
     }
-  for (const Panel& panel : agreement_figures(own, targets_).front().panels)
+  const std::vector<Figure> figures = agreement_figures(own, targets_);
+  ASSERT_EQ(figures.size(), 1u);
+  for (const Panel& panel : figures.front().panels)
     for (const Series& series : panel.series)
       EXPECT_EQ(series.label.find("laboratory"), std::string::npos) << series.label;
 }

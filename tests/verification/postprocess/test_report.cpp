@@ -157,6 +157,22 @@ TEST_F(ReportTest, AnswersInItsFirstScreenWhetherItAgrees)
       text("report.html"), std::regex("Met within 15 % of the laboratory: \\d of \\d values?")));
 }
 
+// For readers who do not see red from green, and on paper.
+TEST_F(ReportTest, SaysInWordsWhichNumbersAreMet)
+{
+  for (const std::string& name : pages) {
+    const std::string html = text(name);
+    const std::regex ratio("class=\"ratio\""), near("<div class=\"near\">"),
+        met("× <small>met</small>"), off("× <small>off</small>");
+    const auto count = [&](const std::regex& what) {
+      return std::distance(std::sregex_iterator(html.begin(), html.end(), what), {});
+    };
+    EXPECT_GT(count(ratio), 0) << name;
+    EXPECT_EQ(count(met), count(near)) << name;
+    EXPECT_EQ(count(off), count(ratio) - count(near)) << name;
+  }
+}
+
 // Where more is to be computed than there are cores, as when tests run side by side, the browser
 // has its share of them only.
 TEST_F(ReportTest, OpensInUnderTwoSeconds)
