@@ -25,7 +25,8 @@ void call_calibrate(const std::vector<std::string>& words)
       "libyaml-cpp-dev, libsqlitecpp-dev and libfann-dev are installed, found none in '" +
       shown(program.parent_path()) +
       "', write './calibration/run CONFIG' in the folder "
-      "of the project, which sets up what is missing");
+      "of the project, which sets up what is missing, or install the Debian package "
+      "'encased-columns-calibration'");
 }
 
 }  // namespace encased_column

@@ -167,7 +167,7 @@ TEST(CalibrateCommand, SaysWhereItWasNotBuilt)
       "encase calibrate: it needs the program 'encase-calibrate', which is built where "
       "libopenturns-dev, libyaml-cpp-dev, libsqlitecpp-dev and libfann-dev are installed, found "
       "none in '.', write './calibration/run CONFIG' in the folder of the project, which sets up "
-      "what is missing\n");
+      "what is missing, or install the Debian package 'encased-columns-calibration'\n");
 }
 
 TEST(RunStore, KeepsPointsAndRunsAndRefusesOthers)

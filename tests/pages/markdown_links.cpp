@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "pages/markdown_links.h"
 
+#include "pages/source_tree.h"
+
 #include "pages/word_table.h"
 
 #include <algorithm>
@@ -8,6 +10,8 @@
 #include <regex>
 
 namespace encased_column::testing {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -59,18 +63,38 @@ std::vector<std::string> heading_names(const std::vector<std::string>& lines)
   return names;
 }
 
-std::string problem_with(const std::string& target, const std::filesystem::path& page)
+std::string problem_with(const std::string& target, const fs::path& page)
 {
   const std::size_t hash = target.find('#');
   const std::string file = target.substr(0, hash);
-  const std::filesystem::path there = file.empty() ? page : page.parent_path() / file;
-  if (!std::filesystem::exists(there)) return "there is no '" + there.string() + "'";
+  const fs::path there = file.empty() ? page : page.parent_path() / file;
+  if (!fs::exists(there)) return "there is no '" + there.string() + "'";
   if (hash == std::string::npos) return "";
   const auto names = heading_names(lines_of(there));
   const std::string name = target.substr(hash + 1);
   return std::find(names.begin(), names.end(), name) != names.end()
              ? ""
              : "'" + there.string() + "' has no heading '" + name + "'";
+}
+
+std::vector<fs::path> pages_below(const fs::path& root)
+{
+  std::vector<fs::path> pages;
+  for (const fs::path& file : files_of_tree(root))
+    if (file.extension() == ".md") pages.push_back(file);
+  return pages;
+}
+
+std::vector<std::string> broken_links(const fs::path& root)
+{
+  std::vector<std::string> broken;
+  for (const fs::path& page : pages_below(root))
+    for (const Link& link : local_links(lines_of(page))) {
+      const std::string problem = problem_with(link.target, page);
+      if (!problem.empty())
+        broken.push_back(page.string() + ":" + std::to_string(link.line) + ": " + problem);
+    }
+  return broken;
 }
 
 }  // namespace encased_column::testing

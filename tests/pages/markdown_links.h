@@ -22,8 +22,13 @@ std::vector<Link> local_links(const std::vector<std::string>& lines);
 std::vector<std::string> heading_names(const std::vector<std::string>& lines);
 
 /// What is wrong with a link of `page`, empty if nothing: its file must exist, and the heading
-/// after
-/// '#' must stand on that page.
+/// after '#' must stand on that page.
 std::string problem_with(const std::string& target, const std::filesystem::path& page);
+
+/// The Markdown pages below `root`, but for what builds, runs and hidden folders hold.
+std::vector<std::filesystem::path> pages_below(const std::filesystem::path& root);
+
+/// A sentence for each link of the pages below `root` that something is wrong with.
+std::vector<std::string> broken_links(const std::filesystem::path& root);
 
 }  // namespace encased_column::testing

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// Every page of the source tree can be followed: its links and pictures are there. The first page
-// stays short and begins with what a newcomer needs.
+// Every page of the source tree can be followed, there and once installed: its links and pictures
+// are there. The first page stays short and begins with what a newcomer needs.
 #include "pages/markdown_links.h"
-#include "pages/source_tree.h"
 #include "pages/word_table.h"
+#include "support/child_program.h"
 
 #include <gtest/gtest.h>
 
@@ -16,14 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path source = ENCASE_SOURCE;
-
-std::vector<fs::path> all_documents()
-{
-  std::vector<fs::path> pages;
-  for (const fs::path& file : files_of_tree(source))
-    if (file.extension() == ".md") pages.push_back(file);
-  return pages;
-}
+const std::vector<std::string> none;
 
 bool any_line_has(const std::vector<std::string>& lines, const std::string& words)
 {
@@ -36,11 +29,20 @@ bool any_line_has(const std::vector<std::string>& lines, const std::string& word
 
 TEST(Documents, HaveLinksThatLeadSomewhere)
 {
-  const std::vector<fs::path> pages = all_documents();
-  EXPECT_GT(pages.size(), 20u);
-  for (const fs::path& page : pages)
-    for (const Link& link : local_links(lines_of(page)))
-      EXPECT_EQ(problem_with(link.target, page), "") << page.string() << ":" << link.line;
+  EXPECT_GT(pages_below(source).size(), 20u);
+  EXPECT_EQ(broken_links(source), none);
+}
+
+// As `cmake --install` and the Debian package lay them.
+TEST(Documents, HaveLinksThatLeadSomewhereOnceInstalled)
+{
+  const TemporaryFolder prefix;
+  const Outcome outcome =
+      run_program({"cmake", "--install", ENCASE_BUILD, "--prefix", prefix.path()}, prefix.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const fs::path installed = prefix.path() / "share/doc/encased-columns";
+  EXPECT_EQ(pages_below(installed).size(), pages_below(source).size());
+  EXPECT_EQ(broken_links(installed), none);
 }
 
 // From the first page, link by link.
@@ -58,7 +60,7 @@ TEST(Documents, AreAllReachedFromTheFirstPage)
       if (there.extension() == ".md" && fs::exists(there)) open.push_back(there);
     }
   }
-  for (const fs::path& page : all_documents())
+  for (const fs::path& page : pages_below(source))
     EXPECT_TRUE(reached.count(page)) << "no link leads to " << page.string();
 }
 
