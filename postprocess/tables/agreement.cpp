@@ -120,13 +120,14 @@ std::vector<AgreementNumber> agreement_numbers(const std::vector<SetResult>& set
       });
       const std::string name = short_name(row, has_line);
       if (name.empty() || row[column + 1] == "-") continue;
+      double found = std::atof(row[column].c_str());
+      if (std::abs(found) < 1e-6) found = 0.0;  // cohesion of -3e-14 kPa is none
       double allowed = near_laboratory * std::abs(published(row));
       if (name == "c") allowed = std::max(allowed, allowance_by_peaks(rows, column, set, targets));
       const bool triaxial = !begins_with(set, "column");
       numbers.push_back({kind_of_tests(set) + (several ? ", " + headings[column] : ""), name,
-                         triaxial ? stress_of(row) : "", row[TargetCell::unit],
-                         std::atof(row[column].c_str()), published(row), allowed,
-                         of_laboratory(row)});
+                         triaxial ? stress_of(row) : "", row[TargetCell::unit], found,
+                         published(row), allowed, of_laboratory(row)});
     }
   return numbers;
 }
