@@ -3,6 +3,7 @@
 
 #include "core/input_error.h"
 #include "runner/case_record.h"
+#include "runner/case_variables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,13 @@ bool is_case(const fs::path& folder)
   return fs::is_regular_file(folder / "case.json");
 }
 
+std::optional<double> finite_number(const std::string& text)
+{
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  return !text.empty() && !*end && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
 CaseRun read_description(const fs::path& folder)
 {
   const CaseRecord record = read_case_record(folder / "case.json");
@@ -44,14 +52,17 @@ CaseRun read_description(const fs::path& folder)
   run.reproduces = record.reproduces;
   run.has_sleeve = fs::exists(folder / "sleeve.csv") || fs::is_directory(folder / "sleeve");
   for (const auto& [name, value] : record.used) {
-    char* end = nullptr;
-    const double number = std::strtod(value.c_str(), &end);
-    if (!value.empty() && !*end && std::isfinite(number)) run.variables[name] = number;
+    if (const std::optional<double> number = finite_number(value)) run.variables[name] = *number;
     run.inputs.emplace_back(name, value);
     if (name == "resolution") run.resolution = value;
     if (name == "parameters") run.parameters = value;
     if (name == "gradation") run.gradation = gradation_name(value);
   }
+  // And what the deck made of them, as the rate of its resolution.
+  if (fs::exists(folder / variables_file))
+    for (const auto& [name, value] : read_used_variables(folder / variables_file))
+      if (const std::optional<double> number = finite_number(value))
+        run.variables.emplace(name, *number);
   return run;
 }
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 using namespace encased_column;
 using namespace encased_column::testing;
@@ -143,4 +144,20 @@ TEST(RunVariables, AreThoseTheRunsWentWith)
   run.variables["rate"] = 1.2e-6;  // asked for
   run.variables.erase("generation");
   EXPECT_EQ(run_variables({&run}), "porosity 0.4, rate 1.2 mm per 1000 steps");
+}
+
+// A deck computes some of its variables: the run's own table has them, case.json what was asked.
+TEST(RunVariables, AreReadWithThoseTheDeckComputed)
+{
+  const TemporaryFolder folder;
+  const fs::path plain = folder.path() / "plain";
+  write_case(plain, "plain");
+  describe_case(plain, "plain", R"("sigma3": 50000, "porosity": 0.4, "rate": 0)");
+  std::ofstream(plain / "variables.csv")
+      << "name,style,value\nporosity,index,\"0.4\"\nrate,index,\"0\"\nrate_here,equal,\"8.5e-07\"\n"
+         "generation,equal,\"0.457\"\nmu,equal,\"none\"\n";
+  const CaseRuns found = read_case_runs({plain});
+  ASSERT_EQ(found.runs.size(), 1u);
+  EXPECT_EQ(run_variables({&found.runs.front()}),
+            "σ₃ 50 kPa, porosity 0.457, rate 0.85 mm per 1000 steps");
 }
