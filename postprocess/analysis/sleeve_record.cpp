@@ -78,8 +78,8 @@ std::vector<Check> sleeve_checks(const SleeveRecord& record, const StripLimit& l
   return {
       {"hoop tension of the sleeve, largest, within the study's strip test [kN/m]",
        largest(record.hoop_tension_max) / 1e3, limit.tension / 1e3, false},
-      {"hoop strain of the sleeve, largest, within the study's strip test", largest(record.hoop_strain_max),
-       limit.strain, false},
+      {"hoop strain of the sleeve, largest, within the study's strip test",
+       largest(record.hoop_strain_max), limit.strain, false},
   };
 }
 

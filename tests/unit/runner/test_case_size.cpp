@@ -90,9 +90,10 @@ TEST(CaseSize, CountsTheSleeve)
                  without.work / without.grains / without.steps() * encased.steps()) *
                     encased.grains / (2.0 * encased.steps_after + 0.3 * encased.steps_before),
                 facets, 1.0);
-  // What a grain takes, measured: 168 ns at porosity 0.45 and 273 at 0.29 (speed/packing.lmp).
-  EXPECT_GT(plain.work / plain.grains / plain.steps(), 273.0 / 168.0 - 0.1);
-  EXPECT_LE(loose.work / loose.grains / loose.steps(), 1.0);
+  // What a grain takes, measured in ns a step: 168 and 273 in speed/packing.lmp at porosity 0.45
+  // and 0.29, 124 in the shear of plain_100 at `quick`, set laboratory.
+  EXPECT_NEAR(plain.work / plain.grains / plain.steps(), 273.0 / 168.0, 0.03);
+  EXPECT_NEAR(loose.work / loose.grains / loose.steps(), 124.0 / 168.0, 0.02);
   EXPECT_GT(fine.bytes, plain.bytes);
 }
 
