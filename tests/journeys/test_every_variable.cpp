@@ -23,6 +23,7 @@ const Settings of_both{
     {"parameters", "laboratory"},
     {"sigma3", "51e3"},
     {"porosity", "0.41"},
+    {"sample_porosity", "0.403"},
     {"modulus", "7.1e6"},
     {"kappa", "3.4"},
     {"mu", "0.79"},

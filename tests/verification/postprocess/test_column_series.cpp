@@ -58,6 +58,33 @@ TEST(ColumnSeries, StandsBesideTheStudyByGradation)
   EXPECT_TRUE(has(table, "s2,\"?porosity, of the sample in the laboratory\"?,-,0\\.4000")) << table;
 }
 
+// Table 6 has 0.417 at 40 %. The row asks for that sample; a set's own porosity, here 0.398, stands
+// for that of the tests, 0.400 (Table 1), and 0.002 more than the set has is 0.002 more of it.
+TEST(ColumnSeries, StandsForTheSampleThatItsRowNames)
+{
+  const TemporaryFolder series;
+  const std::pair<std::string, std::string> rows[] = {
+      {"loose", R"("porosity": 0.398, "sample_porosity": 0.417)"},
+      {"tested", R"("porosity": 0.398)"},
+      {"asked", R"("porosity": 0.396, "sample_porosity": 0.417)"}};
+  for (const auto& [id, variables] : rows) {
+    const fs::path run = series.path() / id;
+    write_case(run, "encased");
+    describe_case(run, "encased", "\"sigma3\": 50000, " + variables);
+    fs::create_directories(run / "input");
+    std::ofstream(run / "input/triaxial_encased.lmp")
+        << "variable porosity index 0.398  # [-] at generation\n";
+  }
+  run_program({ENCASE_COMMAND, "report", "--no-pictures", series.path()}, series.path());
+  const std::string table = read_text(series.path() / "table.csv");
+  const std::string sample = ",\"?porosity, of the sample in the laboratory\"?,-,";
+  EXPECT_TRUE(has(table, "loose" + sample + "0\\.4170")) << table;
+  EXPECT_TRUE(has(table, "loose,\"?relative density of the sample in the laboratory\"?,%,40\\.0"))
+      << table;
+  EXPECT_TRUE(has(table, "tested" + sample + "0\\.4000")) << table;
+  EXPECT_TRUE(has(table, "asked" + sample + "0\\.4150")) << table;
+}
+
 // 228.5, 239.4 and 248.7 kPa at 24 mm: on the upper platen, which bears 950 kPa here, a disc would
 // hide the next one. Their bars follow one another about 24 mm, each at its own pressure.
 TEST(ColumnSeries, KeepsTheStudysNumbersApart)
