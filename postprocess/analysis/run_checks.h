@@ -21,7 +21,8 @@ struct ShearRecord {
   std::vector<double> stress_top;          ///< [Pa]
   std::vector<double> stress_bottom;       ///< [Pa]
   std::vector<double> weight_stress;       ///< of the grains [Pa]; empty where it is not known
-  std::vector<double> unbalanced_average;  ///< mean unbalanced over mean contact force [-]
+  std::vector<double> unbalanced_ratio;    ///< mean unbalanced over mean contact force [-]
+  std::string unbalanced_kind;             ///< of `solve`, that ended consolidation: "average" or "bearing"
   std::vector<double> inertial_number;     ///< [-]
   std::vector<double> energy_error;        ///< share of the work put in that is not found again [-]
 };
