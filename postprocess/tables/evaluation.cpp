@@ -162,10 +162,14 @@ Published published_of(const CaseRun& run, const Targets& targets, const std::st
   return targets.find(run.set(), quantity, condition);
 }
 
+bool repeats_study(const TestResult& test)
+{
+  return !test.run->reproduces.empty();
+}
+
 bool of_study(const SetResult& set)
 {
-  return std::none_of(set.tests.begin(), set.tests.end(),
-                      [](const TestResult& test) { return test.run->reproduces.empty(); });
+  return std::all_of(set.tests.begin(), set.tests.end(), repeats_study);
 }
 
 std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen,

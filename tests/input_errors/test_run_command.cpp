@@ -332,14 +332,27 @@ TEST(RunCommand, TakesASetOfTheUsersByItsName)
       << record;
 }
 
-// Each row of series.csv names a deck that lies beside the program, and variables that it has.
-TEST(RunCommand, FindsTheDeckOfEveryRow)
+// Each row of series.csv names a deck that lies beside the program, and variables that it has; the
+// deck tells grains, steps, time and disk of the row.
+TEST(RunCommand, FindsTheDeckOfEveryRowAndItsSize)
 {
   const TemporaryFolder folder;
   const Outcome outcome =
       run_command({"--series", "all", "--dry-run", "--out", folder.path() / "out"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_TRUE(outcome.says("column_S4 ")) << outcome.output;
+  std::ifstream series(source / "input_scripts/series.csv");
+  std::string row;
+  std::getline(series, row);
+  std::size_t rows = 0;
+  while (std::getline(series, row)) {
+    ++rows;
+    const std::string number = "[1-9][0-9 ]*", time = "([0-9]+ h )?[0-9]+ (s|min)";
+    const std::regex known("\n" + row.substr(0, row.find(',')) + " +" + number + "  +" + number +
+                           "  +" + time + "  +[0-9.]+ [MG]B *\n");
+    EXPECT_TRUE(std::regex_search(outcome.output, known)) << row << " not in\n" << outcome.output;
+  }
+  EXPECT_GE(rows, 36u);
+  EXPECT_FALSE(outcome.says("unknown")) << outcome.output;
 }
 
 TEST(RunCommand, RecordsWhatTheRunUsed)
