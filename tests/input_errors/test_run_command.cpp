@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 
@@ -353,6 +354,28 @@ TEST(RunCommand, FindsTheDeckOfEveryRowAndItsSize)
   }
   EXPECT_GE(rows, 36u);
   EXPECT_FALSE(outcome.says("unknown")) << outcome.output;
+}
+
+// By the definition of relative density, e = e_max - D_r (e_max - e_min), the grains of a column are
+// as 1 - n = 1 / (1 + e): between the row of packing_limits.csv for S1 and the set's friction.
+TEST(RunCommand, PacksAColumnByRelativeDensity)
+{
+  const auto grains_at = [](const std::string& density) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_command({"--case", "column", "--set", "relative_density=" + density,
+                                         "--dry-run", "--out", folder.path() / "out"});
+    std::smatch found;
+    const std::regex row("\ncolumn +([0-9 ]+[0-9])  ");
+    EXPECT_TRUE(std::regex_search(outcome.output, found, row)) << outcome.output;
+    std::string digits = found[1];
+    digits.erase(std::remove(digits.begin(), digits.end(), ' '), digits.end());
+    return std::stod(digits);
+  };
+  const double loosest = 0.4853, densest = 0.374;
+  const double loose = loosest / (1.0 - loosest), dense = densest / (1.0 - densest);
+  for (const double d : {0.4, 0.8})
+    EXPECT_NEAR(grains_at(d < 0.5 ? "0.4" : "0.8") / grains_at("0"),
+                (1.0 + loose) / (1.0 + loose - d * (loose - dense)), 1e-3);
 }
 
 TEST(RunCommand, RecordsWhatTheRunUsed)
