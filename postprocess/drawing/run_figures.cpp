@@ -54,10 +54,8 @@ Figure energy(const TestResult& test)
 Figure checks_of_set(const std::vector<SetResult>& sets)
 {
   const Axis strain{axial_strain_title, false, 0.0, {}};
-  Panel unbalanced{"Unbalanced force ratio, limit for the start of shear",
-                   strain,
-                   {"ratio [-]", true},
-                   {}};
+  Panel unbalanced{
+      "Unbalanced force ratio, limit for the start of shear", strain, {"ratio [-]", true}, {}};
   Panel inertial{"Inertial number", strain, {"inertial number I [-]", true}, {}};
   Panel platens{"Platen difference (top - bottom) / mean, limit for 1 % strain averages",
                 strain,

@@ -51,8 +51,8 @@ std::vector<double> weight_stresses(const CaseRun& run)
 /// other one, or its deck says nothing of grains that bear no load.
 void take_unbalanced_ratio(const CaseRun& run, ShearRecord& record)
 {
-  const bool bearing = run.number("counts_floating") == 0.0 &&
-                       run.history.has(history_column::unbalanced_bearing);
+  const bool bearing =
+      run.number("counts_floating") == 0.0 && run.history.has(history_column::unbalanced_bearing);
   record.unbalanced_kind = bearing ? "bearing" : "average";
   record.unbalanced_ratio = run.history.numbers(bearing ? history_column::unbalanced_bearing
                                                         : history_column::unbalanced_average);

@@ -356,8 +356,8 @@ TEST(RunCommand, FindsTheDeckOfEveryRowAndItsSize)
   EXPECT_FALSE(outcome.says("unknown")) << outcome.output;
 }
 
-// By the definition of relative density, e = e_max - D_r (e_max - e_min), the grains of a column are
-// as 1 - n = 1 / (1 + e): between the row of packing_limits.csv for S1 and the set's friction.
+// By the definition of relative density, e = e_max - D_r (e_max - e_min), the grains of a column
+// are as 1 - n = 1 / (1 + e): between the row of packing_limits.csv for S1 and the set's friction.
 TEST(RunCommand, PacksAColumnByRelativeDensity)
 {
   const auto grains_at = [](const std::string& density) {
