@@ -108,6 +108,14 @@ void announce(const std::vector<Todo>& todo, const Places& places, const Schedul
             << std::flush;
 }
 
+/// The ids of cases, or how many where a line would not hold them.
+std::string named_or_counted(const std::vector<std::string>& ids)
+{
+  constexpr std::size_t in_a_line = 12;
+  if (ids.size() <= in_a_line) return joined(ids);
+  return std::to_string(ids.size()) + " cases, " + ids.front() + " to " + ids.back();
+}
+
 /// Runs them; returns the ids of those that failed.
 std::vector<std::string> run_all(std::vector<Todo>& todo, const Places& places,
                                  const RunOptions& options, const fs::path& series, int cores,
@@ -116,7 +124,7 @@ std::vector<std::string> run_all(std::vector<Todo>& todo, const Places& places,
   const Schedule schedule = best_schedule(static_cast<int>(todo.size()), cores,
                                           options.rank_count(), options.job_count());
   if (!options.no_report) announce(todo, places, schedule, options, series);
-  std::cout << "Running " << joined(ids_of(todo)) << resolution_of(todo.front())
+  std::cout << "Running " << named_or_counted(ids_of(todo)) << resolution_of(todo.front())
             << "; at once: " << schedule.jobs << ", MPI ranks each: " << schedule.ranks
             << std::endl;
   set_up_open_mpi(schedule.ranks * schedule.jobs > cores);

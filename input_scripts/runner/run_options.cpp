@@ -62,7 +62,7 @@ void add_run_options(CLI::App& command, RunOptions& options)
 {
   const auto repeated = [&](const std::string& name, std::vector<std::string>& target,
                             const std::string& text, const std::string& type) {
-    command.add_option(name, target, text)->allow_extra_args(false)->type_name(type);
+    command.add_option(name, target, text)->expected(1)->take_all()->type_name(type);
   };
   command.add_flag("--list", options.list, "list the cases and the variables of their decks");
   repeated("--case", options.cases,

@@ -39,6 +39,21 @@ void write_deck(const fs::path& folder,
 
 }  // namespace
 
+TEST(RunCommand, TakesSeveralCasesWrittenOnceOrWithTheOptionRepeated)
+{
+  const TemporaryFolder folder;
+  const std::string out = folder.path() / "out";
+  const auto plan = [&](std::vector<std::string> cases) {
+    cases.insert(cases.end(), {"--dry-run", "--ranks", "1", "--out", out});
+    return run_command(cases);
+  };
+  const Outcome once = plan({"--case", "plain_050", "plain_100"});
+  EXPECT_EQ(once.exit_code, 0) << once.output;
+  EXPECT_TRUE(once.says("plain_050")) << once.output;
+  EXPECT_TRUE(once.says("plain_100")) << once.output;
+  EXPECT_EQ(plan({"--case", "plain_050", "--case", "plain_100"}).exit_code, 0);
+}
+
 // The shell only sets up; what shows something does not wait for that.
 TEST(RunCommand, ShowsHelpAndCasesFromAnywhere)
 {
