@@ -153,6 +153,73 @@ TEST(SleeveContacts, SurfaceOfATurningTubeMovesAsARigidBody)
   EXPECT_GT(several, 10);
 }
 
+// To a batch of contacts the sleeve is a body with its center where the overlap ends.
+TEST(SleeveContacts, BodyOfATurningTubeMovesAsARigidBody)
+{
+  ShellModel model = crumpled_tube(0.002);
+  const Vec3 speed(0.3, -0.1, 0.2), spin(10.0, 20.0, -30.0);
+  std::vector<Vec3> velocity;
+  for (const Vec3& x : model.position()) velocity.push_back(speed + spin.cross(x));
+  model.set_state(model.position(), model.rotation(), velocity, model.angular_velocity());
+  int seen = 0;
+  for (const Vec3& center : grains_inside(60))
+    press(model, center, [&](const SleeveContact& contact) {
+      const MergedContact& merged = contact.merged;
+      const ContactBody body = contact.body();
+      const Vec3 end = center + (radius - merged.overlap) * merged.normal;
+      EXPECT_LT((body.velocity - speed - spin.cross(end)).norm(), 1e-12);
+      EXPECT_EQ(body.radius, 0.0);
+      if (merged.overlap > 1e-4) ++seen;
+      return no_reaction(contact);
+    });
+  EXPECT_GT(seen, 10);
+}
+
+// More grains than a block has room for, at different heights: each presses on its own.
+TEST(SleeveContacts, GrainsOfManyBlocksPressWithTheSumOfTheirForces)
+{
+  ShellModel model = crumpled_tube(0.002);
+  std::vector<Vec3> center;
+  for (int ring = 0; ring < 3; ++ring)
+    for (const Vec3& c : grains_inside(60)) center.push_back(c + 0.005 * ring * Vec3::UnitZ());
+  const std::vector<double> radii(center.size(), radius);
+  SleeveContacts contacts;
+  contacts.list(model, center.front().data(), radii.data(), static_cast<int>(center.size()), 0.001);
+  RandomVectors random(21);
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+  int calls = 0;
+  std::vector<int> touching;
+  model.clear_loads();
+  const auto law = [&](const SleeveContact* contact, int count, SleeveReaction* reaction) {
+    ++calls;
+    ASSERT_LE(count, SleeveContacts::in_block);
+    for (int c = 0; c < count; ++c) {
+      const Vec3& x = center[contact[c].grain];
+      const Push push = push_of(contact[c].merged, x, random);
+      reaction[c] = push.reaction(contact[c].merged);
+      force -= reaction[c].force;
+      // The normal force goes through the center.
+      moment += x.cross(push.normal_force * contact[c].merged.normal) +
+                push.point.cross(push.shear) + push.moment;
+      touching.push_back(contact[c].grain);
+    }
+  };
+  ASSERT_FALSE(
+      contacts.resolve(model, true, SomeGrains{center.front().data(), radii}, nullptr, law));
+  std::vector<int> expected;
+  for (std::size_t i = 0; i < center.size(); ++i)
+    if (deepest_overlap(model, center[i]) > 0.0) expected.push_back(static_cast<int>(i));
+  EXPECT_EQ(touching, expected) << "in the order of their numbers";
+  EXPECT_GE(calls, 3);
+  EXPECT_NEAR(contacts.vertical_force(), force.z(), 1e-12 * 200.0 * expected.size());
+  for (int i = 0; i < model.nodes(); ++i) {
+    force -= model.force(i);
+    moment -= model.position()[i].cross(model.force(i));
+  }
+  EXPECT_LT(force.norm(), 1e-12 * 200.0 * expected.size());
+  EXPECT_LT(moment.norm(), 1e-12 * 200.0 * expected.size());
+}
+
 // Whatever the nodes do: else friction on a sleeve that shakes would make energy out of nothing.
 TEST(SleeveContacts, PowerOfTheNodalForcesIsThatOfShearAndMomentOnTheSurface)
 {
