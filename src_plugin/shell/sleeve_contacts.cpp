@@ -14,6 +14,7 @@ namespace {
 
 /// Part of the margin by which grain and sleeve may move before all facets near by are looked at.
 constexpr double look_again = 0.1;
+constexpr int not_known = -1;  ///< how many facets are close
 
 double distance_to_facet(const FacetVectors& corner, const Vec3& from)
 {
@@ -47,7 +48,7 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
     if (end == begin) continue;
     grain_.push_back(i);
     // Nothing is known of its gaps: it is looked at as soon as contacts are asked for.
-    near_.push_back({begin, end, 0, -1.0, 0.0, center, radii[i], listed_travel_ - margin});
+    near_.push_back({begin, end, not_known, -1.0, 0.0, center, radii[i], listed_travel_});
     most = std::max(most, end - begin);
   }
   close_.resize(facet_.size());
@@ -74,7 +75,8 @@ void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center,
   Near& near = near_[n];
   const double moved = (center - near.center).norm(), closed = closed_by_others + moved;
   Look& look = look_[looks_++];
-  look = {n, touches_.count(), 0, closed, moved, closed > look_again * margin_};
+  const bool all = near.close == not_known || closed > look_again * margin_;
+  look = {n, touches_.count(), 0, closed, moved, all};
   const auto add = [&](int f) {
     touches_.add(f, model.facet()[f], model.position(), center, radius);
   };
