@@ -117,8 +117,8 @@ void CaseFolder::copy_inputs() const
     copy_folder(plan_.deck->file.parent_path(), input);
 }
 
-// Keeps the deck, the results and the logs so far. What the host wrote at a signal is older than
-// the restart file of the stage or the same.
+// Keeps the deck, the results and the logs so far. What the host wrote at a signal goes: from the
+// restart file of the stage, which is older, a run goes on bit by bit, from the host's it does not.
 void CaseFolder::make_ready_for(int stage) const
 {
   std::vector<fs::path> old;

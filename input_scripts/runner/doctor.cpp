@@ -105,6 +105,9 @@ Finding judge_slurm(const Trial& ping)
   if (ping.code == 127) return {"Slurm", Verdict::note, "not here; --slurm alone needs it"};
   if (ping.code == 0 && ping.text.find(" is UP") != std::string::npos)
     return {"Slurm", Verdict::good, "answers"};
+  // Slurm's own words for a machine that has its programs and belongs to no cluster.
+  if (ping.text.find("establish a configuration source") != std::string::npos)
+    return {"Slurm", Verdict::note, "installed and not set up; --slurm alone needs it"};
   return {"Slurm", Verdict::bad,
           "Slurm must answer, found '" + last_words(ping.text) +
               "', ask those who keep the cluster, or leave --slurm out"};

@@ -15,15 +15,16 @@ constexpr double check_averaging_width = 0.01;
 
 /// What the checks of one test look at; all samples of the shear stage, in order.
 struct ShearRecord {
-  double target_confining_stress;          ///< sigma3 the servo holds [Pa]
-  std::vector<double> axial_strain;        ///< [-]
-  std::vector<double> confining_stress;    ///< [Pa]
-  std::vector<double> stress_top;          ///< [Pa]
-  std::vector<double> stress_bottom;       ///< [Pa]
-  std::vector<double> weight_stress;       ///< of the grains [Pa]; empty where it is not known
-  std::vector<double> unbalanced_average;  ///< mean unbalanced over mean contact force [-]
-  std::vector<double> inertial_number;     ///< [-]
-  std::vector<double> energy_error;        ///< share of the work put in that is not found again [-]
+  double target_confining_stress;        ///< sigma3 the servo holds [Pa]
+  std::vector<double> axial_strain;      ///< [-]
+  std::vector<double> confining_stress;  ///< [Pa]
+  std::vector<double> stress_top;        ///< [Pa]
+  std::vector<double> stress_bottom;     ///< [Pa]
+  std::vector<double> weight_stress;     ///< of the grains [Pa]; empty where it is not known
+  std::vector<double> unbalanced_ratio;  ///< mean unbalanced over mean contact force [-]
+  std::string unbalanced_kind;  ///< of `solve`, that ended consolidation: "average" or "bearing"
+  std::vector<double> inertial_number;  ///< [-]
+  std::vector<double> energy_error;     ///< share of the work put in that is not found again [-]
 };
 
 /// One check: what was found, what is allowed, and whether it is a requirement of this test.

@@ -40,6 +40,9 @@ TargetCondition target_condition(const std::string& text)
   for (const ConditionWord& word : condition_words())
     if (std::regex_search(text, found, word.pattern))
       condition.*word.member = word.factor * std::stod(found[1]);
+  static const std::regex range(R"(\brange ([0-9.]+) to ([0-9.]+))");
+  if (std::regex_search(text, found, range))
+    condition.range = std::pair(std::stod(found[1]), std::stod(found[2]));
   static const std::regex gradation(R"(\b(S[0-9]+)\b)");
   if (std::regex_search(text, found, gradation)) condition.gradation = found[1];
   return condition;

@@ -3,17 +3,19 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace encased_column {
 
 /// What a row of targets.csv says about the test that its value is of.
 struct TargetCondition {
-  std::optional<double> confining_stress;  ///< "sigma3=50 kPa" [Pa]
-  std::optional<double> relative_density;  ///< "Dr=80 %" [-]
-  std::optional<double> slenderness;       ///< "L/D=5" [-]
-  std::optional<double> displacement;      ///< "at 24 mm", of the platens [m]
-  std::optional<double> elongation;        ///< "8 % elongation", of a strip [-]
-  std::string gradation;                   ///< "S2"; empty: not named
+  std::optional<double> confining_stress;          ///< "sigma3=50 kPa" [Pa]
+  std::optional<double> relative_density;          ///< "Dr=80 %" [-]
+  std::optional<double> slenderness;               ///< "L/D=5" [-]
+  std::optional<double> displacement;              ///< "at 24 mm", of the platens [m]
+  std::optional<double> elongation;                ///< "8 % elongation", of a strip [-]
+  std::optional<std::pair<double, double>> range;  ///< "range 4 to 5", in the row's unit
+  std::string gradation;                           ///< "S2"; empty: not named
 };
 
 /// Reads the words that TargetCondition shows out of `text`; all else in it is for readers.

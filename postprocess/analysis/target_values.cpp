@@ -169,6 +169,7 @@ const std::vector<TargetValue>& target_values()
       {"bearing capacity", "", pressure_at_the_end},
       {"height of peak expansion below the top", "", depth_of_peak_expansion},
       {"depth within which expansion is confined", "", depth_of_expansion},
+      {"depth of the pronounced expansion below the top", "", depth_of_peak_expansion},
       {"largest contact force before loading", "", force_before},
       {"largest contact force after loading", "", force_after},
       {"initial porosity in measuring spheres", "lowest", lowest_porosity},

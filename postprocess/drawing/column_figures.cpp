@@ -53,30 +53,37 @@ Panel over_displacement(const TestResult& test, const std::string& title, const 
   return panel;
 }
 
-/// Rows of the study's column that tell `quantity` of a test like `test`.
+/// Rows of the study's column that tell `quantity` of a test like `test`, which repeats it.
 std::vector<TargetRow> told(const TestResult& test, const Targets& targets,
                             const std::string& quantity)
 {
   std::vector<TargetRow> rows;
-  if (!test.run->column()) return rows;
+  if (!test.run->column() || !repeats_study(test)) return rows;
   for (const TargetRow& row : targets.rows_of("column", quantity))
     if (row.published.model && meets(test_condition(test), row.words(), {})) rows.push_back(row);
   return rows;
 }
 
-/// A grey line across `panel` along its axis of heights or of displacements for each of `rows`.
+/// A grey line across `panel` along its axis of heights or of displacements for each of `rows`, or
+/// for both ends of its range.
 void mark_start(Panel& panel, const std::vector<TargetRow>& rows, bool along_height)
 {
+  constexpr double margin = 0.03;  // lest a mark lie on the frame
+  (along_height ? panel.x : panel.y).margin = margin;
   const Panel curves = panel;
   std::vector<double> ends{HUGE_VAL, -HUGE_VAL};
   for (const Series& series : curves.series)
     for (const double at : along_height ? series.y : series.x)
       ends = {std::min(ends[0], at), std::max(ends[1], at)};
   for (const TargetRow& row : rows) {
-    const double value = *row.published.model;
-    const std::vector<double> values{value, value};
-    panel.series.push_back({"study, start: " + in_words(value), along_height ? values : ends,
-                            along_height ? ends : values, grey, Stroke::dash_dotted});
+    const auto range = row.words().range;
+    std::vector<double> marks{*row.published.model};
+    if (range) marks = {range->first, range->second};
+    for (const double mark : marks) {
+      const std::vector<double> values{mark, mark};
+      panel.series.push_back({"study, start: " + in_words(mark), along_height ? values : ends,
+                              along_height ? ends : values, grey, Stroke::dash_dotted});
+    }
   }
 }
 

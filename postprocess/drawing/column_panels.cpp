@@ -7,8 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace encased_column {
+
+bool Comparison::marked() const
+{
+  return std::any_of(curves.begin(), curves.end(),
+                     [](const ColumnCurve& curve) { return repeats_study(*curve.test); });
+}
 
 std::optional<TargetRow> column_row(const Targets& targets, const std::string& quantity)
 {
@@ -60,9 +68,9 @@ std::vector<TargetRow> rows_of(const ColumnCurve& curve, const Targets& targets,
                                const std::string& quantity)
 {
   std::vector<TargetRow> rows;
+  if (!repeats_study(*curve.test)) return rows;
   for (const TargetRow& row : targets.rows_of("column_gradation", quantity))
-    if (row.published.model && row.words().displacement &&
-        meets(test_condition(*curve.test), row.words(), {}))
+    if (row.published.model && meets(test_condition(*curve.test), row.words(), {}))
       rows.push_back(row);
   return rows;
 }
@@ -78,7 +86,7 @@ void mark_gradations(Panel& panel, const ColumnCurves& curves, const Targets& ta
   std::vector<Mark> marks;
   for (const ColumnCurve& curve : curves)
     for (const TargetRow& row : rows_of(curve, targets, "vertical pressure"))
-      marks.push_back({&curve, row});
+      if (row.words().displacement) marks.push_back({&curve, row});
   const double width = 0.04 * largest_x(panel);  // mm
   double left = -0.5 * width * static_cast<double>(marks.size());
   for (const Mark& mark : marks) {
@@ -105,9 +113,9 @@ Panel pressure_panel(const Comparison& columns, const std::string& platen,
     panel.series.push_back({curve.label,
                             scaled(curve.test->axial_strain, 1e3 * initial_height(*curve.test)),
                             scaled(curve.test->record.*stress, 1e-3), curve.color, curve.stroke});
-  if (columns.name == "density")
+  if (columns.name == "density" && columns.marked())
     mark_column(panel, targets);
-  else
+  else if (columns.name != "density")
     mark_gradations(panel, columns.curves, targets);
   return panel;
 }
@@ -124,31 +132,43 @@ std::optional<SleeveProfile> shape_at(const TestResult& test, double displacemen
   return inside.height.empty() ? std::nullopt : std::optional(inside);
 }
 
-/// A line across `panel` at the depth below the upper platen that the study tells for `quantity`.
-void mark_depth(Panel& panel, const TestResult& test, double displacement, const Targets& targets,
-                const std::string& quantity, const std::string& label, Stroke stroke)
+/// A line across `panel` that is `depth` diameters below the upper platen.
+void mark_depth(Panel& panel, const TestResult& test, double displacement, double depth,
+                const std::string& label, Stroke stroke)
 {
-  const auto row = column_row(targets, quantity);
-  if (!row || !row->published.model) return;
   const SpecimenShape shape = specimen_shape(test);
   const double top = shape.platens(displacement / shape.height).top;
-  const double height = 1e3 * (top - *row->published.model * shape.diameter);
+  const double height = 1e3 * (top - depth * shape.diameter);
   double low = 0.0, high = 0.0;
   for (const Series& series : panel.series)
     for (const double x : series.x) {
       low = std::min(low, x);
       high = std::max(high, x);
     }
-  panel.series.push_back(
-      {label + " " + as_published(*row) + " deep", {low, high}, {height, height}, grey, stroke});
+  panel.series.push_back({label, {low, high}, {height, height}, grey, stroke});
 }
 
+/// What the study says of its column (section 3.1).
 void mark_depths(Panel& panel, const TestResult& test, double displacement, const Targets& targets)
 {
-  mark_depth(panel, test, displacement, targets, "height of peak", "study: largest",
-             Stroke::dashed);
-  mark_depth(panel, test, displacement, targets, "depth within", "study: within",
-             Stroke::dash_dotted);
+  for (const auto& [quantity, label, stroke] :
+       {std::tuple("height of peak", "study: largest ", Stroke::dashed),
+        std::tuple("depth within", "study: within ", Stroke::dash_dotted)}) {
+    const auto row = column_row(targets, quantity);
+    if (row && row->published.model)
+      mark_depth(panel, test, displacement, *row->published.model,
+                 label + as_published(*row) + " deep", stroke);
+  }
+}
+
+/// Between which depths [diameters] the study finds the expansion of its gradations pronounced
+/// (section 4.2); nothing for a curve of none of them.
+std::optional<std::pair<double, double>> pronounced_depths(const ColumnCurve& curve,
+                                                           const Targets& targets)
+{
+  for (const TargetRow& row : rows_of(curve, targets, "depth of the pronounced expansion"))
+    if (row.words().range) return row.words().range;
+  return std::nullopt;
 }
 
 Axis height_axis(const TestResult& test)
@@ -175,9 +195,36 @@ Panel stages_panel(const TestResult& test, const std::string& name, const Target
                             palette(number), stroke_of_number(number)});
     last = displacement;
   }
-  if (!panel.series.empty()) mark_depths(panel, test, last, targets);
+  if (!panel.series.empty() && repeats_study(test)) mark_depths(panel, test, last, targets);
   return panel;
 }
+
+namespace {
+
+/// The study's largest expansions of `curve` at `displacement` [m], over the depths it finds them
+/// in.
+std::vector<Series> largest_expansions(const ColumnCurve& curve, double displacement,
+                                       const Targets& targets)
+{
+  std::vector<Series> marks;
+  const auto depths = pronounced_depths(curve, targets);
+  if (!depths) return marks;
+  const SpecimenShape specimen = specimen_shape(*curve.test);
+  const double top = specimen.platens(displacement / specimen.height).top;
+  for (const TargetRow& row : rows_of(curve, targets, "maximum radial expansion")) {
+    const auto at = row.words().displacement;
+    if (!at || std::abs(*at - displacement) > 1e-6) continue;
+    marks.push_back({"study, " + curve.label + ": " + as_published(row),
+                     {*row.published.model, *row.published.model},
+                     {1e3 * (top - depths->second * specimen.diameter),
+                      1e3 * (top - depths->first * specimen.diameter)},
+                     curve.color,
+                     Stroke::dashed});
+  }
+  return marks;
+}
+
+}  // namespace
 
 Panel expansion_panel(const Comparison& columns, double displacement, const Targets& targets)
 {
@@ -187,28 +234,29 @@ Panel expansion_panel(const Comparison& columns, double displacement, const Targ
               {}};
   std::vector<Series> marks;
   const TestResult* first = nullptr;
-  const auto depth = column_row(targets, "depth within");
+  std::optional<std::pair<double, double>> pronounced;
   for (const ColumnCurve& curve : columns.curves) {
     const auto shape = shape_at(*curve.test, displacement);
     if (!shape) continue;
     if (!first) first = curve.test;
     panel.series.push_back({curve.label, scaled(shape->radial_displacement, 1e3),
                             scaled(shape->height, 1e3), curve.color, curve.stroke});
-    for (const TargetRow& row : rows_of(curve, targets, "maximum radial expansion")) {
-      if (std::abs(*row.words().displacement - displacement) > 1e-6 || !depth) continue;
-      const SpecimenShape specimen = specimen_shape(*curve.test);
-      const double top = specimen.platens(displacement / specimen.height).top;
-      const double low = top - depth->published.model.value_or(0.0) * specimen.diameter;
-      marks.push_back({"study, " + curve.label + ": " + as_published(row),
-                       {*row.published.model, *row.published.model},
-                       {1e3 * low, 1e3 * top},
-                       curve.color,
-                       Stroke::dashed});
-    }
+    if (columns.name != "gradation") continue;
+    if (!pronounced) pronounced = pronounced_depths(curve, targets);
+    for (Series& mark : largest_expansions(curve, displacement, targets))
+      marks.push_back(std::move(mark));
   }
-  if (first) panel.y = height_axis(*first);
+  if (!first) return panel;
+  panel.y = height_axis(*first);
   panel.series.insert(panel.series.end(), marks.begin(), marks.end());
-  if (first) mark_depths(panel, *first, displacement, targets);
+  if (columns.name != "gradation" && columns.marked())
+    mark_depths(panel, *first, displacement, targets);
+  if (pronounced)
+    for (const double depth : {pronounced->first, pronounced->second})
+      mark_depth(panel, *first, displacement, depth,
+                 "study: pronounced " + std::string(depth > pronounced->first ? "to " : "from ") +
+                     in_words(depth) + " D deep",
+                 depth > pronounced->first ? Stroke::dash_dotted : Stroke::dashed);
   return panel;
 }
 

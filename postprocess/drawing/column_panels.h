@@ -22,6 +22,9 @@ using ColumnCurves = std::vector<ColumnCurve>;
 struct Comparison {
   std::string name, title;  ///< of its figures: "density", "several relative densities"
   ColumnCurves curves;
+
+  /// True if one of them repeats the study, whose numbers may be marked then.
+  bool marked() const;
 };
 
 /// The row of the study's column that tells `quantity`.
@@ -34,8 +37,9 @@ Panel pressure_panel(const Comparison& columns, const std::string& platen,
 /// Radial displacement along one column at several displacements of the platens.
 Panel stages_panel(const TestResult& test, const std::string& name, const Targets& targets);
 
-/// All columns at one displacement [m], with the largest expansions that the study tells there as
-/// lines over the part of the height that it finds them in.
+/// All columns at one displacement [m], with the depth that the study tells its expansion at: of
+/// its column, or of its gradations, whose largest expansions are lines over the part of the height
+/// that it finds them in.
 Panel expansion_panel(const Comparison& columns, double displacement, const Targets& targets);
 
 }  // namespace encased_column

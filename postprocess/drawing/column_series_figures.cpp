@@ -88,15 +88,16 @@ void add(std::vector<Figure>& figures, Figure figure)
 
 void add_comparison(std::vector<Figure>& figures, const Comparison& columns,
                     const std::string& pressures, const std::string& numbers,
-                    const std::string& expansions, const Targets& targets)
+                    const std::string& expansions, const std::string& depths,
+                    const Targets& targets)
 {
   if (columns.curves.empty()) return;
   add(figures, {"column_pressure_" + columns.name,
                 "Vertical pressure over displacement, columns " + columns.title,
                 "Counterpart of the study's " + pressures +
                     ". It calls this the pressure at the top; its triaxial tests are read at the "
-                    "base. " +
-                    numbers,
+                    "base." +
+                    (columns.marked() ? " " + numbers : ""),
                 {pressure_panel(columns, "upper", &ShearRecord::stress_top, targets),
                  pressure_panel(columns, "lower", &ShearRecord::stress_bottom, targets)}});
   constexpr double early = 0.012, late = 0.024;  // m, of Figures 17 and 19
@@ -104,10 +105,18 @@ void add_comparison(std::vector<Figure>& figures, const Comparison& columns,
       {"column_expansion_" + columns.name,
        "Radial displacement along columns " + columns.title,
        "Counterpart of the study's " + expansions +
-           "; straight between the profiles before and after. Grey: how deep below the "
-           "upper platen "
-           "the study finds the largest expansion, and all that is pronounced.",
+           "; straight between the profiles before and after." +
+           (columns.marked() ? " Grey: " + depths : ""),
        {expansion_panel(columns, early, targets), expansion_panel(columns, late, targets)}});
+}
+
+const char* const depths_of_column =
+    "how deep below the upper platen the study finds the largest expansion of its column, and all "
+    "that is pronounced.";
+
+bool any_repeats(const SetResult& set)
+{
+  return std::any_of(set.tests.begin(), set.tests.end(), repeats_study);
 }
 
 std::vector<Figure> column_series_figures_of_set(const std::vector<SetResult>& sets,
@@ -117,9 +126,12 @@ std::vector<Figure> column_series_figures_of_set(const std::vector<SetResult>& s
   if (sets.front().set != "column") return figures;
   const Comparison by_density = densities(sets, targets), by_gradation = gradations(sets, targets);
   add_comparison(figures, by_density, "Figures 11a and 16",
-                 "The black disc and the grey line: its numbers.", "Figure 17", targets);
+                 "The black disc and the grey line: its numbers.", "Figure 17", depths_of_column,
+                 targets);
   add_comparison(figures, by_gradation, "Figure 18",
                  "Short bars: its numbers at 24 mm, side by side about there.", "Figure 19",
+                 "between which depths below the upper platen the study finds pronounced "
+                 "expansion; upright: its largest.",
                  targets);
   std::vector<Panel> panels;
   const auto labels = test_labels(sets);
@@ -127,8 +139,10 @@ std::vector<Figure> column_series_figures_of_set(const std::vector<SetResult>& s
     for (std::size_t t = 0; t < sets[s].tests.size(); ++t)
       panels.push_back(stages_panel(sets[s].tests[t], labels[s][t], targets));
   add(figures, {"column_profile", "Radial displacement along each column",
-                "Counterpart of the study's Figure 11b. Grey: how deep below the upper platen the "
-                "study finds the largest expansion, and all that is pronounced.",
+                "Counterpart of the study's Figure 11b." +
+                    (std::any_of(sets.begin(), sets.end(), any_repeats)
+                         ? std::string(" Grey: ") + depths_of_column
+                         : std::string()),
                 panels});
   return figures;
 }

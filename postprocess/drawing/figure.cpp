@@ -91,6 +91,9 @@ std::array<double, 2> range(const Axis& axis, const std::vector<Series>& all,
   if (axis.low && low > *axis.low - noise) low = *axis.low;
   const bool bounded = axis.high && high < *axis.high + noise;
   if (bounded) high = *axis.high;
+  const double margin = axis.margin * (high - low);
+  if (!axis.low) low -= margin;
+  if (!axis.high) high += margin;
   if (axis.logarithmic) return {std::floor(std::log10(low)), std::ceil(std::log10(high))};
 
   const double span = high > low ? high - low : std::max(std::abs(high), 1.0);

@@ -36,6 +36,7 @@ struct Axis {
   bool logarithmic = false;
   std::optional<double> low = std::nullopt;   ///< default: what the series need
   std::optional<double> high = std::nullopt;  ///< kept as it is, not rounded to a step
+  double margin = 0.0;  ///< beyond the series where no bound is given, as a share of their span
 };
 
 /// One chart: its series over common axes, the legend beside them.

@@ -13,6 +13,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <vector>
 
@@ -63,6 +64,38 @@ bool draw_force_chains(const std::filesystem::path& file, const FrameWithGrains&
   add_color_bar(renderer, map, "contact force [N]");
   add_caption(renderer, caption + '\n' + forces);
   draw_scene(file, renderer, from_front, outline);
+  return true;
+}
+
+bool draw_force_chains(const std::filesystem::path& file, const NamedFrame& before,
+                       const NamedFrame& after, const std::string& caption)
+{
+  const std::array<const NamedFrame*, 2> frames{&before, &after};
+  std::array<std::vector<ContactBar>, 2> bars;
+  std::vector<ContactBar> all;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    bars[i] = contact_bars(frames[i]->frame.file, least_force);
+    all.insert(all.end(), bars[i].begin(), bars[i].end());
+  }
+  if (all.empty()) return false;
+  const auto [weakest, strongest] = force_range(all);
+  const std::string least = fixed(weakest, 1) + " N and more";
+  const double radius = radius_of(grain_spheres(before.frame.grains), strongest);
+  const auto map = colors_for(sticks_of(all, radius)->GetPointData()->GetScalars());
+  std::vector<SceneView> views;
+  std::vector<vtkSmartPointer<vtkRenderer>> kept;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto outline = vtkSmartPointer<vtkRenderer>::New();
+    const auto renderer = vtkSmartPointer<vtkRenderer>::New();
+    add_flat_spheres(outline, grain_spheres(frames[i]->frame.grains));
+    if (!bars[i].empty()) add_sticks(renderer, sticks_of(bars[i], radius), map);
+    const std::string largest =
+        bars[i].empty() ? "none"
+                        : "largest force " + fixed(force_range(bars[i]).strongest, 1) + " N";
+    views.push_back({renderer, outline, frames[i]->name + ", " + least + ":\n" + largest});
+    kept.insert(kept.end(), {outline, renderer});
+  }
+  draw_scenes(file, views, from_front, caption, map, "contact force [N]");
   return true;
 }
 

@@ -32,6 +32,17 @@ void draw_specimen(const std::filesystem::path& file, const std::filesystem::pat
 bool draw_force_chains(const std::filesystem::path& file, const FrameWithGrains& frame,
                        const std::string& caption);
 
+/// A state of a run and what is told of its time.
+struct NamedFrame {
+  FrameWithGrains frame;
+  std::string name;  ///< "axial strain 0.0 %"
+};
+
+/// The same of `before` and `after` loading side by side, with bars and colors of one scale and
+/// their largest forces (Figure 13a). False where neither has such a contact.
+bool draw_force_chains(const std::filesystem::path& file, const NamedFrame& before,
+                       const NamedFrame& after, const std::string& caption);
+
 /// The same for the contacts that bear the study's 20, 40 and 60 N (Figure 13b), side by side with
 /// bars and colors of one scale. Levels below `recorded` [N], from which on the file has all
 /// contacts, are left out, by default those below its weakest; false where none is left.

@@ -54,10 +54,8 @@ Figure energy(const TestResult& test)
 Figure checks_of_set(const std::vector<SetResult>& sets)
 {
   const Axis strain{axial_strain_title, false, 0.0, {}};
-  Panel unbalanced{"Unbalanced force ratio (average), limit for the start of shear",
-                   strain,
-                   {"ratio [-]", true},
-                   {}};
+  Panel unbalanced{
+      "Unbalanced force ratio, limit for the start of shear", strain, {"ratio [-]", true}, {}};
   Panel inertial{"Inertial number", strain, {"inertial number I [-]", true}, {}};
   Panel platens{"Platen difference (top - bottom) / mean, limit for 1 % strain averages",
                 strain,
@@ -73,7 +71,7 @@ Figure checks_of_set(const std::vector<SetResult>& sets)
       const Color color = palette(colors[s][t]);
       const Stroke stroke = stroke_of(sets[s], sets.size(), colors[s][t]);
       const std::string& label = labels[s][t];
-      unbalanced.series.push_back({label, x, record.unbalanced_average, color, stroke});
+      unbalanced.series.push_back({label, x, record.unbalanced_ratio, color, stroke});
       inertial.series.push_back({label, x, record.inertial_number, color, stroke});
       if (!sets[s].tests[t].run->encased())  // a sleeve takes load: figure platens shows how much
         platens.series.push_back({label, x, percent(platen_differences(record)), color, stroke});

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "drawing/pictures.h"
 
+#include "analysis/sampled_curve.h"
+#include "files/column_names.h"
 #include "reading/frame_files.h"
+#include "tables/text_layout.h"
 
 #include <iostream>
 #include <string>
@@ -40,10 +43,21 @@ bool sleeve(const fs::path& file, const CaseRun& run)
   return frame.has_value();
 }
 
+/// With the axial strain at its step.
+NamedFrame named(const FrameWithGrains& frame, const CaseRun& run)
+{
+  const SampledCurve strain(run.history.numbers(history_column::step),
+                            run.history.numbers(history_column::axial_strain));
+  return {frame, "axial strain " + fixed(100.0 * strain.value(frame.time), 1) + " %"};
+}
+
 bool force_chains(const fs::path& file, const CaseRun& run)
 {
-  const auto frame = last_frame_with_grains(run.folder, "contacts");
-  return frame && draw_force_chains(file, *frame, run.title);
+  const auto first = first_frame_with_grains(run.folder, "contacts");
+  const auto last = last_frame_with_grains(run.folder, "contacts");
+  if (!last) return false;
+  if (!run.encased() || first->time == last->time) return draw_force_chains(file, *last, run.title);
+  return draw_force_chains(file, named(*first, run), named(*last, run), run.title);
 }
 
 /// What the run's files of contacts start from is a variable of the decks.

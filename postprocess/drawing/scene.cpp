@@ -193,7 +193,12 @@ void draw_scenes(const std::filesystem::path& file, const std::vector<SceneView>
   constexpr int all_wide = 1500, bar_wide = 230, least_high = 700, most_high = 1300;  // px
   constexpr int heading = 70, labels = 80;  // px above the views and in each above its bodies
   const int view_wide = (all_wide - bar_wide) / static_cast<int>(views.size());
-  const Extent extent = extent_of(views.front().backdrop);
+  Extent extent = extent_of(views.front().backdrop);
+  for (const SceneView& view : views) {
+    const Extent other = extent_of(view.backdrop);
+    extent.tall = std::max(extent.tall, other.tall);
+    extent.wide = std::max(extent.wide, other.wide);
+  }
   const double across = 1.15 * extent.wide;  // m, seen in a view at least
   const int high = std::clamp(static_cast<int>(1.06 * extent.seen() * view_wide / across) + labels,
                               least_high, most_high);

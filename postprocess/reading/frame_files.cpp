@@ -64,19 +64,38 @@ std::optional<GrainFile> last_grain_file(const fs::path& folder)
   return last;
 }
 
+namespace {
+
+/// All times of which `folder` holds a file of both, in order.
+std::vector<FrameWithGrains> frames_with_grains(const fs::path& folder, const std::string& series)
+{
+  std::vector<FrameWithGrains> frames;
+  const fs::path others = folder / series / (series + ".pvd");
+  const fs::path grains = folder / "grains" / "grains.pvd";
+  if (!fs::exists(others) || !fs::exists(grains)) return frames;
+  const auto grains_at = frame_files(grains);
+  for (const auto& [time, file] : frame_files(others)) {
+    const auto same = grains_at.find(time);
+    if (same != grains_at.end() && fs::exists(file) && fs::exists(same->second))
+      frames.push_back({file, same->second, time});
+  }
+  return frames;
+}
+
+}  // namespace
+
 std::optional<FrameWithGrains> last_frame_with_grains(const fs::path& folder,
                                                       const std::string& series)
 {
-  const fs::path others = folder / series / (series + ".pvd");
-  const fs::path grains = folder / "grains" / "grains.pvd";
-  if (!fs::exists(others) || !fs::exists(grains)) return std::nullopt;
-  const auto other_at = frame_files(others), grains_at = frame_files(grains);
-  for (auto frame = other_at.rbegin(); frame != other_at.rend(); ++frame) {
-    const auto same = grains_at.find(frame->first);
-    if (same != grains_at.end() && fs::exists(frame->second) && fs::exists(same->second))
-      return FrameWithGrains{frame->second, same->second};
-  }
-  return std::nullopt;
+  const auto frames = frames_with_grains(folder, series);
+  return frames.empty() ? std::nullopt : std::optional(frames.back());
+}
+
+std::optional<FrameWithGrains> first_frame_with_grains(const fs::path& folder,
+                                                       const std::string& series)
+{
+  const auto frames = frames_with_grains(folder, series);
+  return frames.empty() ? std::nullopt : std::optional(frames.front());
 }
 
 long count_beyond_sleeve(const std::vector<std::array<double, 3>>& centers,

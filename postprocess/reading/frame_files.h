@@ -33,6 +33,7 @@ std::optional<GrainFile> last_grain_file(const std::filesystem::path& folder);
 /// What else a run wrote, as its sleeve or its contacts, and the grains at the same time.
 struct FrameWithGrains {
   std::filesystem::path file, grains;
+  double time;  ///< as the collections have it
 };
 
 /// The last time of which `folder` holds a file of both `series`/`series`.pvd and
@@ -40,6 +41,10 @@ struct FrameWithGrains {
 /// if a collection cannot be read.
 std::optional<FrameWithGrains> last_frame_with_grains(const std::filesystem::path& folder,
                                                       const std::string& series);
+
+/// The first such time.
+std::optional<FrameWithGrains> first_frame_with_grains(const std::filesystem::path& folder,
+                                                       const std::string& series);
 
 /// How many of `centers` [m] lie behind the sleeve of `file` (.vtp) as seen from the z axis: the
 /// straight way to them from the axis, at their own height, goes through a facet. A sleeve that is

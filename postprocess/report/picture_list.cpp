@@ -10,7 +10,7 @@ namespace {
 struct Kind {
   std::string name;  ///< of the file, before _ and the run's id
   std::string title, shows, caption;
-  bool wide = false;
+  bool wide_if_encased = false;  ///< several views side by side
 };
 
 const std::vector<Kind> kinds{
@@ -25,10 +25,11 @@ const std::vector<Kind> kinds{
      "Deformed sleeve at the end of the run, coloured by hoop tension [kN/m], a quarter cut out",
      "The study shows the shape in its Figure 9."},
     {"force_chains", "force chains",
-     "Contacts at the end of the run, as bars as thick as their force and coloured by it [N], "
-     "before the outline of the specimen",
-     "Counterpart of the study's Figure 13; contacts that bear less than 5 N, or than the run "
-     "wrote, are left out."},
+     "Contacts at the end of the run, and of encased runs at the start of shear beside them, as "
+     "bars as thick as their force and coloured by it [N], before the outline of the specimen",
+     "Counterpart of the study's Figure 13a; contacts that bear less than 5 N, or than the run "
+     "wrote, are left out.",
+     true},
     {"force_levels", "chains of 20, 40 and 60 N",
      "Contacts at the end of the run that bear 20, 40 and 60 N, side by side; bars and colours [N] "
      "at one scale, before the outline of the specimen",
@@ -48,7 +49,7 @@ std::vector<Picture> pictures_of(const CaseRun& run, const std::filesystem::path
     pictures.push_back({kind.name, kind.title, picture_data(file, width),
                         run.title + ". " + kind.shows + ". " + kind.caption +
                             " Run: " + run_variables({&run}) + '.',
-                        kind.shows + ": " + run.title, kind.wide});
+                        kind.shows + ": " + run.title, kind.wide_if_encased && run.encased()});
   }
   return pictures;
 }

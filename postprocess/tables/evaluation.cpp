@@ -47,6 +47,17 @@ std::vector<double> weight_stresses(const CaseRun& run)
   return stresses;
 }
 
+/// The ratio that the deck ended consolidation with; "average" where its history is older than the
+/// other one, or its deck says nothing of grains that bear no load.
+void take_unbalanced_ratio(const CaseRun& run, ShearRecord& record)
+{
+  const bool bearing =
+      run.number("counts_floating") == 0.0 && run.history.has(history_column::unbalanced_bearing);
+  record.unbalanced_kind = bearing ? "bearing" : "average";
+  record.unbalanced_ratio = run.history.numbers(bearing ? history_column::unbalanced_bearing
+                                                        : history_column::unbalanced_average);
+}
+
 ShearRecord shear_record(const CaseRun& run)
 {
   ShearRecord record;
@@ -56,7 +67,7 @@ ShearRecord shear_record(const CaseRun& run)
   record.stress_top = run.history.numbers(history_column::stress_top);
   record.stress_bottom = run.history.numbers(history_column::stress_bottom);
   record.weight_stress = weight_stresses(run);
-  record.unbalanced_average = run.history.numbers(history_column::unbalanced_average);
+  take_unbalanced_ratio(run, record);
   record.inertial_number = run.history.numbers(history_column::inertial_number);
   record.energy_error = run.history.numbers(history_column::energy_error);
   return record;
@@ -151,10 +162,14 @@ Published published_of(const CaseRun& run, const Targets& targets, const std::st
   return targets.find(run.set(), quantity, condition);
 }
 
+bool repeats_study(const TestResult& test)
+{
+  return !test.run->reproduces.empty();
+}
+
 bool of_study(const SetResult& set)
 {
-  return std::none_of(set.tests.begin(), set.tests.end(),
-                      [](const TestResult& test) { return test.run->reproduces.empty(); });
+  return std::all_of(set.tests.begin(), set.tests.end(), repeats_study);
 }
 
 std::vector<SetResult> evaluate(const std::vector<CaseRun>& runs, std::optional<Platen> platen,

@@ -64,6 +64,9 @@ bool name_parameters(const std::vector<SetResult>& sets);
 Published published_of(const CaseRun& run, const Targets& targets, const std::string& quantity,
                        const std::string& condition);
 
+/// True if `test` reproduces something of the study, so that its values may stand beside it.
+bool repeats_study(const TestResult& test);
+
 /// True if all tests of `set` reproduce something of the study, whose values are then the ones
 /// their common line may stand beside; a deck of one's own reproduces nothing.
 bool of_study(const SetResult& set);

@@ -17,7 +17,7 @@ TestDensity test_density(const CaseRun& run, const Targets& targets)
   const std::optional<double> sample =
       targets.find("plain_triaxial", "porosity", "prepared sample").laboratory;
   if (!porosity || !usual || !sample) return {};
-  const double laboratory = *sample + (*porosity - *usual);
+  const double laboratory = run.number("sample_porosity").value_or(*sample) + (*porosity - *usual);
   return {relative_density_at(laboratory, table), laboratory};
 }
 

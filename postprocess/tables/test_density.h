@@ -14,10 +14,10 @@ struct TestDensity {
   std::optional<double> laboratory_porosity;  ///< of the sample as prepared [-]
 };
 
-/// Of `run`: its deck's `relative_density` where that was set. Else its `porosity` at generation,
-/// as the study takes it: what a set of parameters has by itself stands for the sample of the tests
-/// (0.40, of which the study's model was generated at 0.20), and what a run asks for beyond it is
-/// added to the laboratory's. Relative densities and porosities are those of Table 6; nothing
+/// Of `run`: its deck's `relative_density` where that was set. Else its `sample_porosity`, that of
+/// the tests (0.40) where the deck has none. What a set of parameters has by itself as `porosity`
+/// stands for that sample (the study's model was generated at 0.20), and what a run asks for beyond
+/// it is added. Relative densities and porosities are those of Table 6; nothing
 /// where a run does not say enough or lies beyond that table.
 TestDensity test_density(const CaseRun& run, const Targets& targets);
 

@@ -42,6 +42,7 @@ inline constexpr ColumnName energy_error{"energy_error", "-"};
 inline constexpr ColumnName core_axial_stress{"core_axial_stress", "Pa"};
 inline constexpr ColumnName core_radial_stress{"core_radial_stress", "Pa"};
 inline constexpr ColumnName loss_yielding{"loss_yielding", "J"};
+inline constexpr ColumnName unbalanced_bearing{"unbalanced_bearing", "-"};
 }  // namespace history_column
 
 /// Of `fix measure/sphere`.

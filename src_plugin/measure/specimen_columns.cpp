@@ -109,6 +109,8 @@ const std::vector<Column<SpecimenSample>>& specimen_columns()
        [](const SpecimenSample& s) { return s.core_stress(s.sums.core_radial); }},
       {of::loss_yielding, "by yielding and tearing of the sleeve",
        since_reference<&Energy::yielding>},
+      {of::unbalanced_bearing, "as `unbalanced_average`, grains that bear no load as balanced",
+       [](const SpecimenSample& s) { return s.unbalanced_ratio.bearing; }},
   };
   return columns;
 }

@@ -82,7 +82,8 @@ PackingLimits read_packing_limits(std::istream& in, const std::string& file,
                        " values, found " + std::to_string(cells.size()) + ", write '" +
                        limits_header + "'");
     const auto value = [&](std::size_t n) { return read_number("limits " + place, cells[n]); };
-    const PackingCase row{cells[0], cells[1], value(2), value(3), value(4), value(5), value(6)};
+    const std::string gradation = cells[0].substr(cells[0].rfind('/') + 1);
+    const PackingCase row{gradation, cells[1], value(2), value(3), value(4), value(5), value(6)};
     const PackingLimits found{value(10), value(11)};
     if (!(0.0 < found.densest && found.densest < found.loosest && found.loosest < 1.0))
       throw InputError("'limits' " + place +

@@ -28,7 +28,8 @@ struct PackingLimits {
 };
 
 /// Reads a table of packing limits and returns the mean of the rows of `wanted`, which may be of
-/// several seeds. `file` is its name, for sentences. Throws InputError where a line is malformed
+/// several seeds; a gradation is known by the name of its file, without folders. `file` is the
+/// table's name, for sentences. Throws InputError where a line is malformed
 /// and where no row is of that case.
 PackingLimits read_packing_limits(std::istream& in, const std::string& file,
                                   const PackingCase& wanted);

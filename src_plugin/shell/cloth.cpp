@@ -22,6 +22,13 @@ Cloth::Cloth(const ClothConstants& constants, const std::array<double, 2>& stiff
   const double across = 1.0 / (1.0 - whole_.poisson * whole_.poisson);
   for (int i = 0; i < 2; ++i) {
     relaxation_[i] = stiffness[i] * across;
+    const double hardening = constants.hardening;
+    if (!(hardening < stiffness[i]))
+      throw InputError("'hardening' must be less than 'modulus' times 'thickness', found " +
+                       in_words(hardening) + " and " + in_words(stiffness[i]) + " N/m in the " +
+                       names[i] + " direction: write a smaller one");
+    // Of a strain past the strength the elastic part is dN / J, the rest is plastic.
+    hardening_[i] = hardening / (1.0 - hardening / stiffness[i]);
     const auto& table = constants.strip[i];
     if (table.empty()) continue;
     check_strip(table, names[i]);
@@ -61,7 +68,9 @@ double Cloth::snap_ratio(int direction, const ClothFacet& facet) const
 double Cloth::limit(int direction, const ClothFacet& facet, const FacetMemory& memory) const
 {
   const double table = curve_[direction].limit(memory.plastic_strain[direction]);
-  return has_strength(direction) ? std::min(table, strength(direction, facet)) : table;
+  if (!has_strength(direction)) return table;
+  const double past = memory.plastic_strain[direction] - plastic_at_strength(direction, facet);
+  return std::min(table, strength(direction, facet) + hardening_[direction] * std::max(past, 0.0));
 }
 
 YieldLine Cloth::line(int direction, const ClothFacet& facet, const FacetMemory& memory) const
@@ -75,7 +84,9 @@ YieldLine Cloth::line(int direction, const ClothFacet& facet, const FacetMemory&
   const double reached = line.slope > 0.0 ? line.origin + (strength - line.tension) / line.slope
                          : line.tension < strength ? never
                                                    : line.origin;
-  if (plastic >= reached) return {0.0, strength, 0.0, tears() ? -never : never};
+  if (plastic >= reached)
+    return {plastic_at_strength(direction, facet), strength, hardening_[direction],
+            tears() ? -never : never};
   line.end = std::min(line.end, reached);
   return line;
 }
@@ -86,7 +97,12 @@ double Cloth::yield(int i, double tension, const ClothFacet& facet, FacetMemory&
   double& plastic = memory.plastic_strain[i];
   const double from = limit(i, facet, memory), strength = this->strength(i, facet);
   double growth = curve_[i].growth(plastic, tension, relaxation_[i]);
-  if (has_strength(i) && !tears()) growth = std::max(growth, (tension - strength) / relaxation_[i]);
+  if (has_strength(i) && !tears()) {
+    const double past = plastic - plastic_at_strength(i, facet);
+    const double behind =
+        (tension - strength - hardening_[i] * past) / (relaxation_[i] + hardening_[i]);
+    if (past + behind >= 0.0) growth = std::max(growth, behind);
+  }
   // Before it tears a strip has the plastic strain of its strength, no more.
   if (has_strength(i) && tears() && curve_[i].limit(plastic + growth) > strength)
     growth = curve_[i].growth(plastic, strength, 0.0);

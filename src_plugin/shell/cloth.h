@@ -22,6 +22,7 @@ struct ClothConstants {
   std::array<std::vector<StripPoint>, 2> strip;  ///< empty: elastic up to the strength
   std::array<double, 2> strength{};              ///< N_u [N/m], 0: none
   AfterStrength after = AfterStrength::warn;
+  double hardening = 0.0;  ///< slope of tension over strain past the strength [N/m], with `yield`
   double fracture_energy = 0.0;  ///< G_f, work to part a unit of width [N], read only with `tear`
   double seam = 1.0;             ///< share of the hoop strength on one line along the axis [-]
   double seam_angle = 0.0;       ///< of that line from x [rad]
@@ -55,7 +56,8 @@ struct ClothFacet {
 /// strip table and a strength give; under it the cloth is elastic (and wrinkles, relaxed_force()).
 ///
 /// At the table's limit plastic strain grows in that direction alone (associated flow of a
-/// criterion of largest stress), at the strength it yields, tears or is warned of. While it tears
+/// criterion of largest stress), at the strength it yields, with a hardening of its own or without,
+/// tears or is warned of. While it tears
 /// the tension falls in a straight line with the opening w of the crack, N = N_u (1 - w / w_c), w_c
 /// = 2 G_f / N_u, spread over the width h of a facet (crack band: Bazant and Oh, Mater. Struct. 16
 /// (1983) 155-177); unloading is towards no elastic strain e, w = h d e. A damage takes its share
@@ -119,6 +121,13 @@ class Cloth {
   }
   double snap_ratio(int direction, const ClothFacet& facet) const;
   double yield(int direction, double tension, const ClothFacet& facet, FacetMemory& memory) const;
+  /// Plastic strain at which a direction of a facet has its strength; YieldLine::never where its
+  /// table does not get there.
+  double plastic_at_strength(int direction, const ClothFacet& facet) const
+  {
+    return std::min(curve_[direction].growth(0.0, strength(direction, facet), 0.0),
+                    YieldLine::never);
+  }
   double damage_of(int direction, const double (&whole)[2], const ClothFacet& facet) const;
   bool has_strength(int direction) const
   {
@@ -129,6 +138,7 @@ class Cloth {
   std::array<StripCurve, 2> curve_;
   std::array<double, 2> stiffness_{};
   std::array<double, 2> relaxation_{};  ///< by which plastic strain lowers the force at most [N/m]
+  std::array<double, 2> hardening_{};   ///< past the strength, tension over plastic strain [N/m]
   double poisson_ = 0.0;
   EvenStiffness whole_{};
 };

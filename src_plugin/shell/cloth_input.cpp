@@ -38,6 +38,8 @@ const std::vector<Keyword>& cloth_keywords()
        "CSV file of strip tests: strain, hoop and axial tension; `none` (default): elastic"},
       {"strength", 2, "N/m", "hoop and axial tension that it bears (default: any)"},
       {"after_strength", 1, "-", "`warn` (default), `yield` or `tear`"},
+      {"hardening", 1, "N/m",
+       "with `yield`: slope of tension over strain past the strength (default 0: none)"},
       {"fracture_energy", 1, "N",
        "needed with `tear`: work to part a unit of width, larger than zero"},
       {"seam", 1, "-",
@@ -71,6 +73,9 @@ ClothConstants read_cloth(const Options& options)
                                    : AfterStrength::warn;
   const bool has_strength = options.has("strength");
   require_with(options, "after_strength", has_strength, "'strength'");
+  cloth.hardening = options.not_negative("hardening", 0.0);
+  require_with(options, "hardening", after == "yield" || cloth.hardening == 0.0,
+               "'after_strength yield'");
   require_with(options, "seam", has_strength, "'strength'");
   require_with(options, "seam_angle", options.has("seam"), "'seam'");
   if (options.has("fracture_energy") || after == "tear")

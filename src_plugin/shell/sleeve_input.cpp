@@ -145,6 +145,7 @@ void require_changeable(const Options& options)
                             "strip",
                             "strength",
                             "after_strength",
+                            "hardening",
                             "fracture_energy",
                             "seam",
                             "seam_angle"})

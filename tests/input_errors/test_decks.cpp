@@ -42,6 +42,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadVariable{plain, "sigma3", "-50e3", "'sigma3' must be larger than zero, found -50000"},
         BadVariable{plain, "porosity", "0.65",
                     "'porosity' must be between 0.1 and 0.61, found 0.65"},
+        BadVariable{plain, "sample_porosity", "41.7",
+                    "'sample_porosity' must be between 0.2 and 0.6, found 41.7"},
         BadVariable{plain, "stress_packing", "-5e3",
                     "'stress_packing' must be zero or larger, found -5000"},
         BadVariable{plain, "gravity", "-9.8", "'gravity' must be zero or larger, found -9.8"},

@@ -81,7 +81,8 @@ TEST(Program, ExplainsStylesKeywordsColumnsAndVariables)
   EXPECT_FALSE(line_of(porosity, "column of spheres.csv, fix measure/sphere  ").empty());
   const std::string variable =
       line_of(porosity, "variable of deck triaxial_plain, --set porosity=VALUE  ");
-  EXPECT_TRUE(std::regex_search(variable, std::regex("study 0.20, laboratory 0.40 +\\[-\\]  at")))
+  EXPECT_TRUE(
+      std::regex_search(variable, std::regex("study 0.20, laboratory 0\\.\\d+ +\\[-\\]  at")))
       << porosity.output;
 }
 

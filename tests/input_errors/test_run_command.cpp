@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 
@@ -332,14 +333,49 @@ TEST(RunCommand, TakesASetOfTheUsersByItsName)
       << record;
 }
 
-// Each row of series.csv names a deck that lies beside the program, and variables that it has.
-TEST(RunCommand, FindsTheDeckOfEveryRow)
+// Each row of series.csv names a deck that lies beside the program, and variables that it has; the
+// deck tells grains, steps, time and disk of the row.
+TEST(RunCommand, FindsTheDeckOfEveryRowAndItsSize)
 {
   const TemporaryFolder folder;
   const Outcome outcome =
       run_command({"--series", "all", "--dry-run", "--out", folder.path() / "out"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_TRUE(outcome.says("column_S4 ")) << outcome.output;
+  std::ifstream series(source / "input_scripts/series.csv");
+  std::string row;
+  std::getline(series, row);
+  std::size_t rows = 0;
+  while (std::getline(series, row)) {
+    ++rows;
+    const std::string number = "[1-9][0-9 ]*", time = "([0-9]+ h )?[0-9]+ (s|min)";
+    const std::regex known("\n" + row.substr(0, row.find(',')) + " +" + number + "  +" + number +
+                           "  +" + time + "  +[0-9.]+ [MG]B *\n");
+    EXPECT_TRUE(std::regex_search(outcome.output, known)) << row << " not in\n" << outcome.output;
+  }
+  EXPECT_GE(rows, 36u);
+  EXPECT_FALSE(outcome.says("unknown")) << outcome.output;
+}
+
+// By the definition of relative density, e = e_max - D_r (e_max - e_min), the grains of a column
+// are as 1 - n = 1 / (1 + e): between the row of packing_limits.csv for S1 and the set's friction.
+TEST(RunCommand, PacksAColumnByRelativeDensity)
+{
+  const auto grains_at = [](const std::string& density) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_command({"--case", "column", "--set", "relative_density=" + density,
+                                         "--dry-run", "--out", folder.path() / "out"});
+    std::smatch found;
+    const std::regex row("\ncolumn +([0-9 ]+[0-9])  ");
+    EXPECT_TRUE(std::regex_search(outcome.output, found, row)) << outcome.output;
+    std::string digits = found[1];
+    digits.erase(std::remove(digits.begin(), digits.end(), ' '), digits.end());
+    return std::stod(digits);
+  };
+  const double loosest = 0.4853, densest = 0.374;
+  const double loose = loosest / (1.0 - loosest), dense = densest / (1.0 - densest);
+  for (const double d : {0.4, 0.8})
+    EXPECT_NEAR(grains_at(d < 0.5 ? "0.4" : "0.8") / grains_at("0"),
+                (1.0 + loose) / (1.0 + loose - d * (loose - dense)), 1e-3);
 }
 
 TEST(RunCommand, RecordsWhatTheRunUsed)

@@ -86,9 +86,11 @@ std::string search_for_liggghts(const std::string& option)
 
 TEST_F(SetUp, LeavesOptionalPackagesOut)
 {
-  write("input_scripts/packages.txt", "no-such-package-17  optional: of nothing\n");
-  const Outcome outcome =
-      run_program({"env", "-u", "ENCASE_OPTIONAL", root_ / "input_scripts/set_up"}, root_);
+  write("input_scripts/packages.txt",
+        "no-such-package-17  optional: of nothing\nno-such-package-18  tests: nothing\n");
+  const Outcome outcome = run_program(
+      {"env", "-u", "ENCASE_OPTIONAL", "-u", "ENCASE_TESTING", root_ / "input_scripts/set_up"},
+      root_);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.output, configuring() + building());
 }

@@ -250,6 +250,14 @@ TEST(Sleeve, RefusesAStrengthThatMeansNothing)
       sleeve + " after_strength yield",
       "'after_strength' goes with 'strength', found 'after_strength yield' without it");
   const std::string strong = sleeve + " strength 9.2e3 9.2e3";
+  expect_no_sleeve(strong + " after_strength yield hardening -1",
+                   "'hardening' must be zero or larger, found -1");
+  expect_no_sleeve(
+      strong + " hardening 5e3",
+      "'hardening' goes with 'after_strength yield', found 'hardening 5e3' without it");
+  expect_no_sleeve(strong + " after_strength yield hardening 2e5",
+                   "'hardening' must be less than 'modulus' times 'thickness', found 200000 and "
+                   "115000 N/m in the hoop direction");
   for (const std::string energy : {"0", "-100"})
     expect_no_sleeve(strong + " after_strength tear fracture_energy " + energy,
                      "'fracture_energy' must be larger than zero, found " + energy);

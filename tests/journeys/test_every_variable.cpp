@@ -23,6 +23,7 @@ const Settings of_both{
     {"parameters", "laboratory"},
     {"sigma3", "51e3"},
     {"porosity", "0.41"},
+    {"sample_porosity", "0.403"},
     {"modulus", "7.1e6"},
     {"kappa", "3.4"},
     {"mu", "0.79"},
@@ -76,6 +77,8 @@ const Settings of_encased{{"mu_sc", "0.77"},
                           {"axial_servo", "1"}};
 /// These take their value from one above unless they are given, so they have runs of their own.
 const Settings of_side{{"modulus_side", "7.3e6"}, {"kappa_side", "2.9"}};
+/// A cloth that tears does not harden.
+const Settings of_yield{{"after_strength", "yield"}, {"hardening", "9.1e3"}};
 const Settings short_run{{"limit", "3e-3"}, {"strain_end", "0.003"}};
 
 /// The commands of a log by the variable they name: `${name}` or v_name.
@@ -201,9 +204,10 @@ TEST_F(EveryVariable, OfTheEncasedDeckReachesTheRun)
   const Settings all = joined_settings(of_both, of_encased);
   run("encased", all);
   expect_used("encased", all);
-  expect_all_set("encased", all);
-  run("encased", joined_settings(short_run, of_side), "side");
-  expect_used("encased", of_side);
+  expect_all_set("encased", joined_settings(all, of_yield));
+  const Settings beside = joined_settings(of_side, of_yield);
+  run("encased", joined_settings(short_run, beside), "side");
+  expect_used("encased", beside);
 }
 
 // The runner compares what it has read of the set with what the host has used; --set comes before

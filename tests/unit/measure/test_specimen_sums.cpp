@@ -110,7 +110,7 @@ TEST(SpecimenColumns, KeepTheirNamesAndPlaces)
       "inertial_number [-],work_platens [J],work_side [J],work_gravity [J],"
       "energy_elastic [J],energy_kinetic [J],loss_friction [J],loss_rolling [J],"
       "loss_dashpots [J],loss_damping [J],energy_error [-],core_axial_stress [Pa],"
-      "core_radial_stress [Pa],loss_yielding [J]";
+      "core_radial_stress [Pa],loss_yielding [J],unbalanced_bearing [-]";
   std::string now;
   for (const std::string& heading : headings_of(specimen_columns()))
     now += (now.empty() ? "" : ",") + heading;

@@ -66,6 +66,14 @@ TEST(PackingLimits, AreTheMeanOfTheSeedsOfACase)
   EXPECT_DOUBLE_EQ(limits.densest, 0.38);
 }
 
+// The deck of the limits writes the path it was given; a gradation is known by its file's name.
+TEST(PackingLimits, KnowAGradationByItsFileWhereverItLies)
+{
+  const PackingLimits limits = limits_of(limits_header + "/home/me/my decks/" + row_of_seed_1);
+  EXPECT_DOUBLE_EQ(limits.loosest, 0.5);
+  EXPECT_DOUBLE_EQ(limits.densest, 0.375);
+}
+
 TEST(PackingLimits, AreRefusedOfAnotherCase)
 {
   PackingCase others[] = {wanted, wanted, wanted, wanted, wanted, wanted, wanted};

@@ -16,12 +16,13 @@ ShearRecord good_record()
 {
   ShearRecord record;
   record.target_confining_stress = 100e3;
+  record.unbalanced_kind = "average";
   for (int i = 0; i <= 400; ++i) {
     record.axial_strain.push_back(0.0005 * i);
     record.confining_stress.push_back(100e3);
     record.stress_top.push_back(300e3);
     record.stress_bottom.push_back(300e3);
-    record.unbalanced_average.push_back(9e-6);
+    record.unbalanced_ratio.push_back(9e-6);
     record.inertial_number.push_back(2e-4);
     record.energy_error.push_back(-0.001);
   }
@@ -127,9 +128,9 @@ TEST(RunChecks, TellThePlatenDifferenceWithoutRequiringItWhereASleeveTakesLoad)
 TEST(RunChecks, LookAtTheUnbalancedRatioOnlyAtTheStart)
 {
   ShearRecord record = good_record();
-  record.unbalanced_average.back() = 1.0;
+  record.unbalanced_ratio.back() = 1.0;
   EXPECT_TRUE(failures(record).empty());
-  record.unbalanced_average.front() = 2e-5;
+  record.unbalanced_ratio.front() = 2e-5;
   EXPECT_EQ(failures(record).size(), 1u);
 }
 

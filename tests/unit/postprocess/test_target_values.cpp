@@ -46,6 +46,10 @@ TEST(TargetCondition, IsReadFromItsWords)
   EXPECT_DOUBLE_EQ(target_condition("S2 at 24 mm").displacement.value(), 24e-3);
   EXPECT_DOUBLE_EQ(target_condition("8 % elongation").elongation.value(), 0.08);
   EXPECT_FALSE(target_condition("sigma3=50 kPa").relative_density);
+  const TargetCondition between = target_condition("range 4 to 5; S1 L/D=5 sigma3=50 kPa");
+  EXPECT_EQ(between.range.value(), std::pair(4.0, 5.0));
+  EXPECT_DOUBLE_EQ(between.slenderness.value(), 5.0);
+  EXPECT_FALSE(found.range);
 }
 
 TEST(TargetValues, OfAColumnAreReadWhereTheStudyReadsThem)

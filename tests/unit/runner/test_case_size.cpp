@@ -76,6 +76,17 @@ TEST(CaseSize, HasTheStepsOfShear)
             case_size(shape_with_steps(1e-3, 0.01)).steps());
 }
 
+// Columns of set study at `paper`: that of S1 began its shear at step 14 600, after 8 000 of
+// consolidation, and ended at 39 600; that of 40 % relative density at 37 000. Shear itself is 30
+// mm at 1.2e-6 m per step.
+TEST(CaseSize, HasTheStepsOfAColumnOfTheStudy)
+{
+  const CaseSize column = size_of_ours("study_column", "paper");
+  EXPECT_NEAR(column.steps_after - 25'000.0, 8'000.0, 800.0);
+  EXPECT_NEAR(column.steps(), 39'600.0, 0.05 * 39'600.0);
+  EXPECT_NEAR(size_of_ours("study_column_dr40", "paper").steps(), 37'000.0, 0.10 * 37'000.0);
+}
+
 // The 5 796 facets of the page of the benchmarks, and the 2 496 in the files of a run of the set
 // laboratory at quick.
 TEST(CaseSize, CountsTheSleeve)

@@ -60,6 +60,9 @@ TEST(Doctor, MindsSlurmOnlyWhereItIs)
   EXPECT_EQ(judge_slurm({127, ""}).verdict, Verdict::note);
   EXPECT_EQ(judge_slurm({0, "Slurmctld(primary) at head is UP\n"}).verdict, Verdict::good);
   EXPECT_EQ(judge_slurm({0, "Slurmctld(primary) at head is DOWN\n"}).verdict, Verdict::bad);
+  // What scontrol 22.05 says where there is no slurm.conf.
+  const std::string alone = "scontrol: fatal: Could not establish a configuration source\n";
+  EXPECT_EQ(judge_slurm({1, alone}).verdict, Verdict::note);
 }
 
 TEST(Doctor, EndsWithWhatToDoNext)

@@ -150,6 +150,33 @@ TEST(Strip, YieldsAtItsStrengthAndDissipatesTensionTimesPlasticStrain)
   EXPECT_NEAR(strip.dissipated, 4600.0 * 0.04, 1e-8);
 }
 
+// N = N_u + H (e - e_u) past the strain e_u at which the table, or J alone, has the strength.
+TEST(Strip, HardensPastItsStrengthByTheGivenSlopeOfTensionOverStrain)
+{
+  const double hardening = 10e3;
+  for (const bool has_table : {false, true})
+    for (const double share : {1.0, 0.7}) {
+      ShellConstants c = geotextile_of_table_3();
+      if (has_table) c.cloth.strip[0] = {{0.0, 0.0}, {0.02, 2300.0}, {0.06, 4300.0}};
+      c.cloth.strength = {4600.0, 9200.0};
+      c.cloth.after = AfterStrength::yield;
+      c.cloth.hardening = hardening;
+      const double strength = share * 4600.0;
+      const double there =
+          has_table ? 0.02 + (strength - 2300.0) / 50e3 : strength / strip_stiffness;
+      for (const int steps : {1, 10}) {  // by one long step the same
+        StripTest strip(c, 0, {{1.0, 1.0}, {share, 1.0}});
+        for (int n = 1; n <= steps; ++n) strip.pull_to(n * (there + 0.1) / steps);
+        const double tension = strength + 0.1 * hardening;
+        EXPECT_NEAR(strip.pull_to(there + 0.1), tension, 1e-7);
+        EXPECT_NEAR(strip.memory.plastic_strain[0], there + 0.1 - tension / strip_stiffness, 1e-12);
+        EXPECT_EQ(strip.memory.plastic_strain[1], 0.0);
+        EXPECT_NEAR(strip.pull_to(there + 0.09), tension - 0.01 * strip_stiffness, 1e-7);
+        EXPECT_NEAR(strip.pull_to(there + 0.2), tension + 0.1 * hardening, 1e-7);
+      }
+    }
+}
+
 TEST(Strip, SplitsItsWorkIntoWhatIsStoredAndWhatIsDissipated)
 {
   ShellConstants c = geotextile_of_table_3();
@@ -415,6 +442,17 @@ TEST(Cloth, RefusesTablesAndStrengthsThatContradictEachOther)
               c.cloth.fracture_energy = 100.0;
             }),
             "");
+}
+
+TEST(Cloth, RefusesToHardenMoreThanItUnloads)
+{
+  ShellConstants c = geotextile_of_table_3();
+  c.cloth.strength = {4600.0, 4600.0};
+  c.cloth.after = AfterStrength::yield;
+  c.cloth.hardening = 115e3;
+  EXPECT_NE(refusal_of(c).find("'hardening' must be less than 'modulus' times 'thickness', found "
+                               "115000 and 115000 N/m in the hoop direction"),
+            std::string::npos);
 }
 
 TEST(Cloth, RefusesFacetsThatWouldSnapBack)

@@ -18,7 +18,7 @@ void describe_case(const fs::path& folder, const std::string& kind, const std::s
 }
 
 void write_case(const fs::path& folder, const std::string& kind, bool core, double factor,
-                double strength)
+                double strength, double height)
 {
   fs::create_directories(folder);
   describe_case(folder, kind, R"("sigma3": 50000, "radius": 0.05, "resolution": "quick")");
@@ -40,7 +40,7 @@ void write_case(const fs::path& folder, const std::string& kind, bool core, doub
     const double bottom = share * (encased ? q_bottom : q_plain);
     const double side = factor * sigma3;
     history << strain << ',' << side + top << ',' << side + bottom << ',' << side << ',' << top
-            << ',' << bottom << ",0," << 0.2 * (1.0 - strain) << ',' << 100 * i << ','
+            << ',' << bottom << ",0," << height * (1.0 - strain) << ',' << 100 * i << ','
             << 0.05 / std::sqrt(1.0 - strain) << ",0.34,0.35," << -0.25 * strain << ','
             << -0.5 * strain << ',' << -0.75 * strain << ",1e-6,1e-4,1e-4,"
             << "0,0,0,0,0,0,0,0,0," << kp_of_core * core_radial << ',' << core_radial << '\n';

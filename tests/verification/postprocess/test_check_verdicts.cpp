@@ -115,6 +115,40 @@ const Places between_all_walls{{0.0, 0.0, 0.021}, {0.0, 0.0, 0.179}, {0.0, -0.05
 
 }  // namespace
 
+// A deck whose consolidation ends by the grains that bear (`floating` 0) is held to those: 2e-5 of
+// all of them beside 8e-6 is equilibrium, and the other way round is not.
+TEST_F(CheckVerdicts, HoldARunToTheRatioThatEndedItsConsolidation)
+{
+  const fs::path run = make_run("plain", lower_moves);
+  const auto ratios = [&](double average, double bearing, const std::string& counts_floating) {
+    write_case(run, "plain");
+    describe_case(run, "plain", lower_moves);
+    std::istringstream before(read_text(run / "history.csv"));
+    std::ofstream after(run / "history.csv");
+    std::string line;
+    std::getline(before, line);
+    after << line << ",unbalanced_maximum [-],unbalanced_bearing [-]\n";
+    while (std::getline(before, line)) {
+      const std::size_t at = line.find(",1e-6,");
+      ASSERT_NE(at, std::string::npos);
+      after << line.replace(at, 6, "," + std::to_string(average) + ",") << ",0," << bearing << '\n';
+    }
+    after.close();
+    std::ofstream(run / "variables.csv")
+        << "name,style,value\ncounts_floating,equal,\"" << counts_floating << "\"\n";
+    make_tables();
+  };
+  const std::string check = "unbalanced force ratio", start = " at the start of shear";
+  ratios(2e-5, 8e-6, "0");
+  EXPECT_NE(row(check).find("(bearing)" + start), std::string::npos) << row(check);
+  EXPECT_TRUE(ends_with(row(check), "1e-05,pass")) << row(check);
+  ratios(8e-6, 2e-5, "0");
+  EXPECT_TRUE(ends_with(row(check), "1e-05,FAIL")) << row(check);
+  ratios(2e-5, 8e-6, "1");
+  EXPECT_NE(row(check).find("(average)" + start), std::string::npos) << row(check);
+  EXPECT_TRUE(ends_with(row(check), "1e-05,FAIL")) << row(check);
+}
+
 TEST_F(CheckVerdicts, PassWhereAllGrainsAreBetweenPlatensAndCylinder)
 {
   write_grains_at(make_run("plain", lower_moves), between_all_walls);

@@ -45,7 +45,7 @@ void write_column(const fs::path& run, bool strain)
 }
 
 /// Upright bars of these forces [N] from left to right.
-void write_bars(const fs::path& run, const std::vector<double>& forces)
+void write_bars_into(const fs::path& file, const std::vector<double>& forces)
 {
   std::vector<ContactRecord> contacts;
   for (const double force : forces) {
@@ -57,7 +57,26 @@ void write_bars(const fs::path& run, const std::vector<double>& forces)
     contact.force = force;
     contacts.push_back(contact);
   }
-  ASSERT_TRUE(write_contacts(make_series(run, "contacts"), contacts));
+  ASSERT_TRUE(write_contacts(file, contacts));
+}
+
+void write_bars(const fs::path& run, const std::vector<double>& forces)
+{
+  write_bars_into(make_series(run, "contacts"), forces);
+}
+
+/// An encased run with these bars at the first and at the last step of its history, 22 % apart.
+void write_loaded(const fs::path& run, const std::vector<double>& before,
+                  const std::vector<double>& after)
+{
+  write_case(run, "encased", true, 5.0);
+  describe_case(run, "encased", R"("sigma3": 250000)");
+  write_column(run, false);
+  std::ofstream(run / "grains/grains.pvd") << pvd_text({{0.0, "grains.vtp"}, {22e3, "grains.vtp"}});
+  write_bars(run, before);
+  write_bars_into(run / "contacts/after.vtp", after);
+  std::ofstream(run / "contacts/contacts.pvd")
+      << pvd_text({{0.0, "contacts.vtp"}, {22e3, "after.vtp"}});
 }
 
 /// An encased run at `stress` [kPa] whose files have its contacts of `chains` [N] and more.
@@ -85,6 +104,7 @@ class PicturesTest : public ::testing::Test {
     write_chains(series / "all_chains", 100, "5");
     write_chains(series / "some_chains", 150, "30");
     write_chains(series / "few_chains", 200, "70");
+    write_loaded(series / "loaded", {20.0, 30.0}, {60.0, 4.9, 40.0});
     outcome_ = run_program({ENCASE_COMMAND, "report", "--draft", series}, series);
   }
   static void TearDownTestSuite() { delete folder_; }
@@ -124,6 +144,22 @@ TEST_F(PicturesTest, OfForceChainsHaveBarsAsThickAsTheirForce)
     EXPECT_GT(widths[0], 10) << "row " << y;
     EXPECT_NEAR(widths[1], 0.5 * widths[0], 1.5) << "row " << y;
   }
+}
+
+// Figure 13a: of an encased run both before and after loading, at one scale.
+TEST_F(PicturesTest, OfForceChainsShowTheStartOfShearBesideItsEnd)
+{
+  const PicturePixels picture(file("force_chains_loaded.png"));
+  ASSERT_EQ(picture.width(), 1500);
+  constexpr int view = 635;  // px wide: half of what the color bar leaves
+  const int y = picture.height() * 2 / 5;
+  const std::vector<int> before = picture.colored_widths(y, 1, view),
+                         after = picture.colored_widths(y, view, 2 * view);
+  ASSERT_EQ(before.size(), 2u);
+  ASSERT_EQ(after.size(), 2u) << "4.9 N are left out";
+  EXPECT_NEAR(before[0], after[0] / 3.0, 1.5);
+  EXPECT_NEAR(before[1], after[0] / 2.0, 1.5);
+  EXPECT_NEAR(after[1], after[0] / 1.5, 1.5);
 }
 
 // Figure 13b: 80, 50, 30 and 60 N stand in the views of 20, 40 and 60 N as far as they bear that,

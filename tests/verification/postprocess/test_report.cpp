@@ -76,6 +76,7 @@ class ReportTest : public ::testing::Test {
   static void TearDownTestSuite() { delete folder_; }
   void SetUp() override { ASSERT_EQ(visit_.pages.size(), pages.size()) << outcome_.output; }
 
+  static const fs::path& folder() { return folder_->path(); }
   static std::string text(const std::string& file) { return read_text(folder_->path() / file); }
   static const json& page(const std::string& name) { return visit_.pages.at(name); }
   static int rows(const std::string& name, const std::string& table)
@@ -114,6 +115,20 @@ TEST_F(ReportTest, TakesNothingFromElsewhere)
     for (const char* outside :
          {"src=\"http", "href=\"http", "url(", "<link", "<script ", "import(", "fetch(", "@import"})
       EXPECT_EQ(html.find(outside), std::string::npos) << name << ": " << outside;
+  }
+}
+
+TEST_F(ReportTest, LinksOnlyToWhatIsThere)
+{
+  for (const std::string& name : pages) {
+    const std::string html = text(name);
+    const fs::path here = (folder() / name).parent_path();
+    const std::regex address("href=\"([^\"#:]+)[\"#]");
+    int links = 0;
+    for (std::sregex_iterator found(html.begin(), html.end(), address), end; found != end;
+         ++found, ++links)
+      EXPECT_TRUE(fs::exists(here / found->str(1))) << name << ": " << found->str(1);
+    EXPECT_GE(links, name == "report.html" ? 2 : 0) << "the pages of both tests";
   }
 }
 
