@@ -10,7 +10,8 @@ file(GLOB_RECURSE pages RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS
   ${CMAKE_SOURCE_DIR}/postprocess/results/*.txt ${CMAKE_SOURCE_DIR}/postprocess/results/*.csv
   ${CMAKE_SOURCE_DIR}/tests/bench/*.md ${CMAKE_SOURCE_DIR}/tests/bench/*.csv)
 foreach(page README.md CONTRIBUTING.md CHANGELOG.md CITATION.cff LICENSE ${pages} input_scripts/common/strip_geotextile.csv
-    postprocess/targets.csv src_plugin/main.cpp src_plugin/plugin_entry.h tests/bench/facets.cpp tests/unit/floors/floors.txt)
+    postprocess/targets.csv src_plugin/main.cpp src_plugin/plugin_entry.h
+    tests/bench/contacts.cpp tests/bench/facets.cpp tests/unit/floors/floors.txt)
   cmake_path(GET page PARENT_PATH folder)
   install(FILES ${CMAKE_SOURCE_DIR}/${page} DESTINATION ${documents}/${folder})
 endforeach()

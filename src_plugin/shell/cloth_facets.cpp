@@ -42,10 +42,9 @@ void ClothFacets::set_memory(int f, const FacetMemory& memory)
   for (int i = 0; i < 2; ++i) {
     const YieldLine line = cloth_.line(i, facet_[f], memory);
     rows.plastic_strain[i][n] = memory.plastic_strain[i];
-    rows.limit[i][n] = line.limit(memory.plastic_strain[i]);
-    rows.origin[i][n] = line.origin;
-    rows.tension[i][n] = line.tension;
+    rows.start[i][n] = line.tension - line.slope * line.origin;
     rows.slope[i][n] = line.slope;
+    rows.limit[i][n] = rows.limit_at(i, n, memory.plastic_strain[i]);
     rows.end[i][n] = line.end;
     rows.rate[i][n] = cloth_.growth_rate(i, line);
   }
@@ -59,34 +58,18 @@ FacetMemory ClothFacets::memory(int f) const
   return memory;
 }
 
-/// Lets the facets [first, last) of a batch yield by their excess; returns the energy taken [J].
-ENCASE_VECTOR_UNITS double ClothFacets::grow(ClothRows& rows, const double* area, int first,
-                                             int last)
+ENCASE_VECTOR_UNITS void ClothFacets::grow(int batch, int first, int last)
 {
+  ClothRows& rows = rows_[batch];
+  const double* area = area_.data() + batch * facets_in_batch;
   double taken = 0.0;
-  for (int i = 0; i < 2; ++i) {
 #pragma omp simd reduction(+ : taken)
-    for (int n = first; n < last; ++n) {
-      const double growth = rows.excess[i][n] * rows.rate[i][n];
-      const double plastic = rows.plastic_strain[i][n] + growth;
-      const double limit = rows.tension[i][n] + rows.slope[i][n] * (plastic - rows.origin[i][n]);
-      taken += 0.5 * area[n] * (rows.limit[i][n] + limit) * growth;
-      rows.plastic_strain[i][n] = plastic;
-      rows.limit[i][n] = limit;
-    }
-  }
-  return taken;
+  for (int n = first; n < last; ++n) taken += area[n] * (rows.grow(0, n) + rows.grow(1, n));
+  dissipated_ += taken;
 }
 
 void ClothFacets::advance(int first, int last, bool at_set_up)
 {
-  if (!remembers_) return;
-  for (int f = first; f < last && !at_set_up;) {
-    const int begin = f % facets_in_batch, end = std::min(facets_in_batch, begin + last - f);
-    ClothRows& rows = rows_[f / facets_in_batch];
-    if (rows.yields) dissipated_ += grow(rows, area_.data() + f - begin, begin, end);
-    f += end - begin;
-  }
   std::size_t kept = 0;
   for (const Wish& wish : wish_) {
     if (wish.facet < first || wish.facet >= last) {
@@ -100,13 +83,11 @@ void ClothFacets::advance(int first, int last, bool at_set_up)
   wish_.erase(wish_.begin() + static_cast<long>(kept), wish_.end());
 }
 
-ENCASE_VECTOR_UNITS bool ClothFacets::must_ask(int batch, int first, int last) const
+ENCASE_VECTOR_UNITS bool ClothFacets::must_ask(const ClothRows& rows, int first, int last)
 {
-  const ClothRows& rows = rows_[batch];
-  if (!rows.yields) return false;
   int leaves = 0;
 #pragma omp simd reduction(| : leaves)
-  for (int n = first; n < last; ++n) leaves |= leaves_its_line(rows, n) ? 1 : 0;
+  for (int n = first; n < last; ++n) leaves |= rows.leaves_its_line(n) ? 1 : 0;
   return leaves != 0;
 }
 
@@ -115,7 +96,7 @@ void ClothFacets::ask(int batch, int first, int last, const ClothAnswers& answer
   ClothRows& rows = rows_[batch];
   const auto& [hoop, axial, shear] = answers.force;
   for (int n = first; n < last; ++n) {
-    if (!leaves_its_line(rows, n)) continue;
+    if (!rows.leaves_its_line(n)) continue;
     rows.excess[0][n] = rows.excess[1][n] = 0.0;
     const int f = batch * facets_in_batch + n;
     Wish wish{f, memory(f), 0.0};

@@ -11,17 +11,38 @@ class ShellElement;
 
 constexpr int facets_in_batch = 32;
 
-/// What the facets of a batch remember and how their limits go on from there, as YieldLine.
+/// What the facets of a batch remember and how their limits go on from there, as YieldLine. Without
+/// branches, for the vector units.
 struct alignas(64) ClothRows {
   using Numbers = double[facets_in_batch];
   Numbers plastic_strain[2];
   Numbers limit[2];   ///< force above which the facet yields or is looked at [N/m]
   Numbers excess[2];  ///< of the force last found above it [N/m]
-  Numbers origin[2], tension[2], slope[2], end[2], rate[2];
-  Numbers left;         ///< of its stiffness [-]
-  Numbers slip;         ///< [-]
-  bool torn = false;    ///< some facet has damage
-  bool yields = false;  ///< some facet has an excess
+  Numbers start[2], slope[2], end[2], rate[2];  ///< the limit is start + slope times plastic strain
+  Numbers left;                                 ///< of its stiffness [-]
+  Numbers slip;                                 ///< [-]
+  bool torn = false;                            ///< some facet has damage
+  bool yields = false;                          ///< some facet has an excess
+
+  double limit_at(int i, int n, double plastic) const
+  {
+    return start[i][n] + slope[i][n] * plastic;
+  }
+  /// Lets facet n yield in direction i by its excess; returns the energy taken per area [J/m^2].
+  double grow(int i, int n)
+  {
+    const double growth = excess[i][n] * rate[i][n];
+    const double before = plastic_strain[i][n], plastic = before + growth;
+    plastic_strain[i][n] = plastic;
+    limit[i][n] = limit_at(i, n, plastic);
+    return 0.5 * (limit_at(i, n, before) + limit[i][n]) * growth;
+  }
+  /// True where the excess would take facet n beyond the line of direction i.
+  bool leaves_its_line(int i, int n) const
+  {
+    return (excess[i][n] > 0.0) & (plastic_strain[i][n] + excess[i][n] * rate[i][n] >= end[i][n]);
+  }
+  bool leaves_its_line(int n) const { return leaves_its_line(0, n) | leaves_its_line(1, n); }
 };
 
 /// How the facets of a batch stand, as ClothAnswer but with the energy of the whole facet [J].
@@ -61,26 +82,17 @@ class ClothFacets {
   /// Facets [first, last) get the memory they asked for, unless `at_set_up`; either way they ask
   /// again from their next loads.
   void advance(int first, int last, bool at_set_up);
+  /// Lets [first, last) of a batch yield by the excess of their last loads.
+  void grow(int batch, int first, int last);
   /// Whether a facet of [first, last) of a batch, whose excess was found, has to ask.
-  bool must_ask(int batch, int first, int last) const;
+  static bool must_ask(const ClothRows& rows, int first, int last);
   /// Lets those ask for what their loads want.
   void ask(int batch, int first, int last, const ClothAnswers& answers);
   double dissipated() const { return dissipated_; }  ///< by what was asked for and given [J]
   void set_dissipated(double energy) { dissipated_ = energy; }
+  void dissipate(double energy) { dissipated_ += energy; }
 
  private:
-  bool leaves_its_line(const ClothRows& rows, int n) const
-  {
-    bool leaves = false;
-    for (int i = 0; i < 2; ++i)
-      leaves =
-          leaves |
-          ((rows.excess[i][n] > 0.0) &
-           (rows.plastic_strain[i][n] + rows.excess[i][n] * rows.rate[i][n] >= rows.end[i][n]));
-    return leaves;
-  }
-  double grow(ClothRows& rows, const double* area, int first, int last);
-
   /// The memory a facet has from the next step on.
   struct Wish {
     int facet;

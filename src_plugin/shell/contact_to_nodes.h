@@ -20,21 +20,22 @@ class FacetLever {
  public:
   FacetLever(const std::array<Vec3, 3>& corner, const Vec3& point)
   {
-    const Vec3 center = (corner[0] + corner[1] + corner[2]) / 3.0;
+    const Vec3 center = (1.0 / 3.0) * (corner[0] + corner[1] + corner[2]);
     const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
     const double square = normal.squaredNorm();
+    for (int i = 0; i < 3; ++i) arm_[i] = corner[i] - center;
+    const double spread = arm_[0].squaredNorm() + arm_[1].squaredNorm() + arm_[2].squaredNorm();
+    // One division for all: the vector units take longest over those.
+    across_ = 1.0 / (square * spread);
+    const double by_square = across_ * spread;
+    in_plane_ = 3.0 * by_square;
     height_ = point - center;
-    double spread = 0.0;
     for (int i = 0; i < 3; ++i) {
-      arm_[i] = corner[i] - center;
       const Vec3 side = corner[(i + 2) % 3] - corner[(i + 1) % 3];
-      weight_(i) = 1.0 / 3.0 + normal.cross(side).dot(point - center) / square;
+      weight_(i) = 1.0 / 3.0 + by_square * normal.cross(side).dot(point - center);
       height_ -= weight_(i) * arm_[i];
-      spread += arm_[i].squaredNorm();
     }
     normal_ = normal;
-    in_plane_ = 3.0 / square;
-    across_ = 1.0 / (square * spread);
   }
 
   /// Nodal forces [N] whose sum is `force` and whose moment about any point is that of `force` [N]

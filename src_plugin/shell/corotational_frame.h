@@ -24,6 +24,8 @@ struct CorotationalFrame {
   Vec3 e1, e2, e3;
   double u11, u22, u12;  ///< U [-], in the reference axes
   double area_ratio;     ///< current over reference area [-]
+  double inverse_trace;  ///< 1 / tr U [-]
+  double inverse_area;   ///< 1 / area_ratio [-]
 
   CorotationalFrame(const Vec3& g1, const Vec3& g2)
   {
@@ -31,13 +33,16 @@ struct CorotationalFrame {
     area_ratio = normal.norm();
     const double c11 = g1.squaredNorm(), c22 = g2.squaredNorm(), c12 = g1.dot(g2);
     const double trace = std::sqrt(c11 + c22 + 2.0 * area_ratio);
-    u11 = (c11 + area_ratio) / trace;
-    u22 = (c22 + area_ratio) / trace;
-    u12 = c12 / trace;
-    const double inverse = 1.0 / area_ratio;
-    e1 = inverse * (u22 * g1 - u12 * g2);
-    e2 = inverse * (u11 * g2 - u12 * g1);
-    e3 = inverse * normal;
+    // One division for all: the vector units take longest over those.
+    const double product = 1.0 / (trace * area_ratio);
+    inverse_trace = product * area_ratio;
+    inverse_area = product * trace;
+    u11 = inverse_trace * (c11 + area_ratio);
+    u22 = inverse_trace * (c22 + area_ratio);
+    u12 = inverse_trace * c12;
+    e1 = inverse_area * (u22 * g1 - u12 * g2);
+    e2 = inverse_area * (u11 * g2 - u12 * g1);
+    e3 = inverse_area * normal;
   }
 
   double trace() const { return u11 + u22; }
@@ -53,7 +58,10 @@ struct DirectorTilt {
   double x, y;
   double scale;  ///< 2 / (1 + d3)
 
-  explicit DirectorTilt(const Vec3& director) : scale(2.0 / (1.0 + director.z()))
+  explicit DirectorTilt(const Vec3& director) : DirectorTilt(director, 2.0 / (1.0 + director.z()))
+  {
+  }
+  DirectorTilt(const Vec3& director, double scale) : scale(scale)
   {
     x = -scale * director.y();
     y = scale * director.x();

@@ -50,7 +50,8 @@ struct MembranePull {
 
   MembranePull(const CorotationalFrame& frame, const PlaneVector& n)
   {
-    const double s = (frame.u12 * (n(0) - n(1)) - n(2) * (frame.u11 - frame.u22)) / frame.trace();
+    const double s =
+        frame.inverse_trace * (frame.u12 * (n(0) - n(1)) - n(2) * (frame.u11 - frame.u22));
     p1 = n(0) * frame.e1 + (n(2) + s) * frame.e2;
     p2 = (n(2) - s) * frame.e1 + n(1) * frame.e2;
   }

@@ -52,11 +52,11 @@ class FacetBatches {
 
   double resolve(const Batch& batch, int first, int last);
   double resolve_one(const Batch& batch, int n);
-  double resolve_cloth(const Batch& batch, int number, int first, int last);
-  /// What of its memory a cloth's loads look at.
-  enum class Remembers { nothing, plastic_strain, all };
+  double resolve_cloth(const Batch& batch, int number, int first, int last, bool at_set_up);
+  /// What of its memory a cloth's loads look at; `growing`: the plastic strain, once it has grown.
+  enum class Remembers { nothing, plastic_strain, growing, all };
   template <bool bends, bool wrinkles, bool softens>
-  double resolve_cloth_kind(const Batch& batch, int number, int first, int last);
+  double resolve_cloth_kind(const Batch& batch, int number, int first, int last, bool at_set_up);
   template <bool bends, bool wrinkles, bool softens, Remembers remembers>
   double resolve_cloth_as(const Batch& batch, ClothRows& rows, int first, int last);
   template <bool bends, bool wrinkles, bool softens, Remembers remembers>
@@ -66,6 +66,7 @@ class FacetBatches {
   Mat3 membrane_;
   bool is_cloth_ = false, bends_ = false, wrinkles_ = false;
   ClothFacets cloth_;
+  bool must_ask_ = false;  ///< some facet of the batch at hand, see ClothFacets
   /// Of the nodes of the batch at hand: in, then out.
   alignas(64) VectorRow<size> position_[3], director_[3], force_[3], moment_[3];
   alignas(64) ClothAnswers answers_;  ///< of its facets, where they remember all

@@ -91,44 +91,59 @@ ENCASE_VECTOR_UNITS [[gnu::flatten]] double FacetBatches::resolve_cloth_as(const
                                                                            int first, int last)
 {
   const EvenStiffness whole = cloth_.whole();
-  double energy = 0.0, excess = 0.0;
-#pragma omp simd reduction(+ : energy, excess)
+  constexpr bool grows = remembers == Remembers::growing;
+  double energy = 0.0, excess = 0.0, taken = 0.0, leaving = 0.0;
+#pragma omp simd reduction(+ : energy, excess, taken, leaving)
   for (int n = first; n < last; ++n) {
+    if constexpr (grows) taken += batch.area[n] * (rows.grow(0, n) + rows.grow(1, n));
     energy += resolve_one_cloth<bends, wrinkles, softens, remembers>(batch, rows, whole, n);
     if constexpr (remembers != Remembers::nothing) excess += rows.excess[0][n] + rows.excess[1][n];
+    if constexpr (grows) leaving += rows.leaves_its_line(n) ? 1.0 : 0.0;
   }
   rows.yields = excess > 0.0 || (rows.yields && last - first < size);
+  if constexpr (grows) cloth_.dissipate(taken);
+  // Few batches yield: of the others it is found by itself where one begins to.
+  must_ask_ = grows ? leaving > 0.0 : rows.yields && cloth_.must_ask(rows, first, last);
   return energy;
 }
 
 template <bool bends, bool wrinkles, bool softens>
-double FacetBatches::resolve_cloth_kind(const Batch& batch, int number, int first, int last)
+double FacetBatches::resolve_cloth_kind(const Batch& batch, int number, int first, int last,
+                                        bool at_set_up)
 {
   ClothRows& rows = cloth_.rows(number);
   if (!cloth_.remembers())
     return resolve_cloth_as<bends, wrinkles, softens, Remembers::nothing>(batch, rows, first, last);
+  const bool grows = rows.yields && !at_set_up;
   double energy = 0.0;
-  if (!rows.torn)
+  if (rows.torn) {
+    if (grows) cloth_.grow(number, first, last);
+  } else if (grows) {
+    energy =
+        resolve_cloth_as<bends, wrinkles, softens, Remembers::growing>(batch, rows, first, last);
+  } else {
     energy = resolve_cloth_as<bends, wrinkles, softens, Remembers::plastic_strain>(batch, rows,
                                                                                    first, last);
+  }
   // Again where somebody has to tell how it stands: the loads come out the same.
-  if (rows.torn || cloth_.must_ask(number, first, last)) {
+  if (rows.torn || must_ask_) {
     energy = resolve_cloth_as<bends, wrinkles, softens, Remembers::all>(batch, rows, first, last);
     cloth_.ask(number, first, last, answers_);
   }
   return energy;
 }
 
-double FacetBatches::resolve_cloth(const Batch& batch, int number, int first, int last)
+double FacetBatches::resolve_cloth(const Batch& batch, int number, int first, int last,
+                                   bool at_set_up)
 {
   if (!wrinkles_)
-    return bends_ ? resolve_cloth_kind<true, false, true>(batch, number, first, last)
-                  : resolve_cloth_kind<false, false, true>(batch, number, first, last);
+    return bends_ ? resolve_cloth_kind<true, false, true>(batch, number, first, last, at_set_up)
+                  : resolve_cloth_kind<false, false, true>(batch, number, first, last, at_set_up);
   if (!cloth_.softens_off_axis())
-    return bends_ ? resolve_cloth_kind<true, true, false>(batch, number, first, last)
-                  : resolve_cloth_kind<false, true, false>(batch, number, first, last);
-  return bends_ ? resolve_cloth_kind<true, true, true>(batch, number, first, last)
-                : resolve_cloth_kind<false, true, true>(batch, number, first, last);
+    return bends_ ? resolve_cloth_kind<true, true, false>(batch, number, first, last, at_set_up)
+                  : resolve_cloth_kind<false, true, false>(batch, number, first, last, at_set_up);
+  return bends_ ? resolve_cloth_kind<true, true, true>(batch, number, first, last, at_set_up)
+                : resolve_cloth_kind<false, true, true>(batch, number, first, last, at_set_up);
 }
 
 }  // namespace encased_column

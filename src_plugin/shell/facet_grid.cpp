@@ -21,14 +21,18 @@ Vec3 center_of(const Facet& f, const std::vector<Vec3>& position)
 void FacetGrid::sort(const std::vector<Facet>& facet, const std::vector<Vec3>& position)
 {
   Vec3 low = center_of(facet.front(), position), high = low;
-  double square = 0.0;
+  double largest = 0.0;
+  spheres_.clear();
   for (const Facet& f : facet) {
     const Vec3 center = center_of(f, position);
     low = low.cwiseMin(center);
     high = high.cwiseMax(center);
+    double square = 0.0;
     for (const int node : f) square = std::max(square, (position[node] - center).squaredNorm());
+    largest = std::max(largest, square);
+    spheres_.push_back({center, (1.0 + 1e-12) * std::sqrt(square)});
   }
-  largest_radius_ = std::sqrt(square);
+  largest_radius_ = (1.0 + 1e-12) * std::sqrt(largest);
   // Cubes about as large as a facet; larger ones where a few small facets span a large space.
   const Vec3 extent = high - low;
   double size = std::max(2.0 * largest_radius_, std::cbrt(extent.prod() / most_cells));
@@ -42,7 +46,7 @@ void FacetGrid::sort(const std::vector<Facet>& facet, const std::vector<Vec3>& p
   grid_.lay(low, size, cells);
   std::vector<int> numbers(facet.size());
   std::iota(numbers.begin(), numbers.end(), 0);
-  grid_.sort(numbers, [&](int f) { return center_of(facet[f], position); });
+  grid_.sort(numbers, [&](int f) -> const Vec3& { return spheres_[f].center; });
 }
 
 }  // namespace encased_column

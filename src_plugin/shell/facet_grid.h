@@ -14,17 +14,26 @@ class FacetGrid {
   /// Sorts the facets as they lie now.
   void sort(const std::vector<Facet>& facet, const std::vector<Vec3>& position);
 
-  /// Calls `found(facet)` for every facet whose bounding sphere comes within `reach` [m] of `x`,
-  /// and for some others near by.
+  /// Calls `found(facet)` for every facet whose bounding sphere comes within `reach` [m] of `x`.
   template <typename Found>
   void near(const Vec3& x, double reach, const Found& found) const
   {
     const double range = reach + largest_radius_;
-    if (grid_.reaches(x, range)) grid_.near(x, range, found);
+    if (!grid_.reaches(x, range)) return;
+    grid_.near(x, range, [&](int f) {
+      const double far = reach + spheres_[f].radius;
+      if (!((spheres_[f].center - x).squaredNorm() > far * far)) found(f);
+    });
   }
 
  private:
-  double largest_radius_ = 0.0;  ///< of the facets' bounding spheres [m]
+  struct Sphere {
+    Vec3 center;
+    double radius;  ///< [m]
+  };
+
+  std::vector<Sphere> spheres_;  ///< about each facet
+  double largest_radius_ = 0.0;  ///< of them [m]
   CellGrid<int> grid_;
 };
 

@@ -61,8 +61,12 @@ FacetLoads facet_loads(const Reference& facet, const FacetVectors& x, const Face
   out.energy = 0.5 * facet.area * answer.elastic_strain.dot(answer.force);
   if constexpr (bends) {
     const FacetVectors director{frame.to_local(d[0]), frame.to_local(d[1]), frame.to_local(d[2])};
-    const DirectorTilt tilt[3] = {DirectorTilt(director[0]), DirectorTilt(director[1]),
-                                  DirectorTilt(director[2])};
+    // The scales of the tilts, 2 / (1 + d3), by one division.
+    const double t0 = 1.0 + director[0].z(), t1 = 1.0 + director[1].z(), t2 = 1.0 + director[2].z();
+    const double t01 = t0 * t1, twice = 2.0 / (t01 * t2), by_t2 = twice * t2;
+    const DirectorTilt tilt[3] = {DirectorTilt(director[0], by_t2 * t1),
+                                  DirectorTilt(director[1], by_t2 * t0),
+                                  DirectorTilt(director[2], twice * t01)};
     const double tilts[6] = {tilt[0].x, tilt[0].y, tilt[1].x, tilt[1].y, tilt[2].x, tilt[2].y};
     double slope[6];
 #pragma GCC unroll 6
@@ -80,7 +84,7 @@ FacetLoads facet_loads(const Reference& facet, const FacetVectors& x, const Face
     const Vec3 sum = conjugate[0] + conjugate[1] + conjugate[2];
     // The frame turns with the nodes; its spin about e1, e2 follows from the rise of g1, g2 along
     // e3, its spin about e3 from the polar rotation. The conjugate of that spin is -sum.
-    const double inverse = 1.0 / frame.area_ratio, about = sum.z() / frame.trace();
+    const double inverse = frame.inverse_area, about = frame.inverse_trace * sum.z();
     p1 += inverse * (sum.x() * frame.u12 + sum.y() * frame.u22) * frame.e3 - about * frame.e2;
     p2 -= inverse * (sum.x() * frame.u11 + sum.y() * frame.u12) * frame.e3 - about * frame.e1;
   } else {

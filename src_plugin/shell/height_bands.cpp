@@ -38,7 +38,8 @@ int HeightBands::band_of(double z) const
 
 double HeightBands::distance(const Band& band, const Vec3& point)
 {
-  return std::hypot(point.x() - band.x, point.y() - band.y);
+  const double x = point.x() - band.x, y = point.y() - band.y;
+  return std::sqrt(x * x + y * y);
 }
 
 // A facet lies in a circle about its center of gravity.

@@ -19,19 +19,8 @@ inline Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c)
 /// where they lie in the window, to the nodal forces [N]. Negative pressure pushes against the
 /// normals. For a whole facet each node takes p A / 3, which is the exact gradient of p times the
 /// enclosed volume.
-inline void add_pressure(const std::vector<Facet>& facet, const std::vector<Vec3>& position,
-                         int first, int last, double pressure, const HeightWindow& window,
-                         std::vector<Vec3>& force)
-{
-  for (int f = first; f < last; ++f) {
-    const Facet& node = facet[f];
-    const Vec3 &a = position[node[0]], &b = position[node[1]], &c = position[node[2]];
-    const FacetPart part = part_in_window({a.z(), b.z(), c.z()}, window);
-    if (part.share == 0.0) continue;
-    const Vec3 push = pressure * area_vector(a, b, c);
-    for (int i = 0; i < 3; ++i) force[node[i]] += part.weight(i) * push;
-  }
-}
+void add_pressure(const std::vector<Facet>& facet, const std::vector<Vec3>& position, int first,
+                  int last, double pressure, const HeightWindow& window, std::vector<Vec3>& force);
 
 /// Pressure [Pa] on a sleeve.
 using PressureRamp = LinearRamp;

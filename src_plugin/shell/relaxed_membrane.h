@@ -116,13 +116,18 @@ PlaneVector relaxed_force(const EvenStiffness& even, const PlaneVector& strain)
   double difference = even.deviatoric * a;
   double shear = even.deviatoric * (softens ? even.shear * b : b);
   if constexpr (wrinkles && !softens) {
-    const double radius = std::sqrt(a * a + b * b);
-    const double smallest = positive_part(middle - even.deviatoric * radius);
-    const double largest = even.along * positive_part(mean + radius) + even.poisson * smallest;
-    const double per_strain = 0.5 * (largest - smallest) / (radius + 1e-150);
-    middle = 0.5 * (largest + smallest);
-    difference = per_strain * a;
-    shear = per_strain * b;
+    // Twice the mean, the half difference, the radius; half of both principal forces.
+    const double sum = hoop + axial, apart = hoop - axial;
+    const double radius = std::sqrt(apart * apart + strain(2) * strain(2));
+    const double pushed = 0.125 * even.bulk * sum - 0.125 * even.deviatoric * radius;
+    const double stretched = sum + radius;
+    const double smallest = pushed + std::abs(pushed);
+    const double largest =
+        0.125 * even.along * (stretched + std::abs(stretched)) + even.poisson * smallest;
+    const double per_strain = (largest - smallest) / (radius + 2e-150);
+    middle = largest + smallest;
+    difference = per_strain * apart;
+    shear = per_strain * strain(2);
   }
   if constexpr (wrinkles && softens) {
     const bool taut = middle * std::abs(middle) >= difference * difference + shear * shear;

@@ -9,23 +9,33 @@ namespace encased_column {
 
 using Quaternion = Eigen::Quaterniond;
 
+/// Cosine of half an angle, and sine of it over the angle.
+struct HalfAngle {
+  double cosine, sine_over_angle;
+};
+
+/// Angles of which the square is less are small [rad^2]: nodes turn by far less than 0.1 rad in a
+/// step.
+constexpr double small_square = 1e-2;
+
+/// Of a small angle, from its square: the series is exact to round-off.
+inline HalfAngle half_of_small(double square)
+{
+  const double q = 0.25 * square;
+  const double a = 1.0 / 12.0, b = 1.0 / 30.0, c = 1.0 / 56.0, d = 1.0 / 6.0, e = 1.0 / 42.0;
+  return {1.0 - 0.5 * q * (1.0 - a * q * (1.0 - b * q * (1.0 - c * q))),
+          0.5 - 0.5 * d * q * (1.0 - 0.05 * q * (1.0 - e * q))};
+}
+
 /// Rotation by |v| [rad] about the axis v.
 inline Quaternion rotation_from_vector(const Vec3& v)
 {
-  const double square = v.squaredNorm();
-  double cosine_half, sine_half_over_angle;
-  if (square < 1e-2) {
-    // Nodes turn by far less than 0.1 rad in a step: the series is exact to round-off and cheaper.
-    const double q = 0.25 * square;
-    cosine_half = 1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0)));
-    sine_half_over_angle = 0.5 * (1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0)));
-  } else {
-    const double angle = std::sqrt(square);
-    cosine_half = std::cos(0.5 * angle);
-    sine_half_over_angle = std::sin(0.5 * angle) / angle;
-  }
-  const Vec3 imaginary = sine_half_over_angle * v;
-  return {cosine_half, imaginary.x(), imaginary.y(), imaginary.z()};
+  const double square = v.squaredNorm(), angle = std::sqrt(square);
+  const HalfAngle half = square < small_square
+                             ? half_of_small(square)
+                             : HalfAngle{std::cos(0.5 * angle), std::sin(0.5 * angle) / angle};
+  const Vec3 imaginary = half.sine_over_angle * v;
+  return {half.cosine, imaginary.x(), imaginary.y(), imaginary.z()};
 }
 
 /// The shortest rotation vector [rad] of a unit quaternion.

@@ -3,6 +3,7 @@
 
 #include "dynamics/local_damping.h"
 #include "dynamics/mass_scaling.h"
+#include "shell/node_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,13 +116,12 @@ double ShellModel::add_internal_loads(int first, int last, bool at_set_up)
 StepWork ShellModel::advance(double dt, double alpha)
 {
   StepWork work;
-  for (int i = 0; i < nodes(); ++i) {
-    velocity_before_[i] = velocity_[i];
-    spin_before_[i] = angular_velocity_[i];
-    work.damping +=
-        kick(force(i).data(), alpha, dt / mass_[i], dt, velocity_[i].data()) +
-        kick(moment(i).data(), alpha, dt / inertia_[i], dt, angular_velocity_[i].data());
-  }
+  velocity_before_ = velocity_;
+  spin_before_ = angular_velocity_;
+  work.damping =
+      kick_nodes(force(0).data(), mass_.data(), nodes(), alpha, dt, velocity_.front().data()) +
+      kick_nodes(moment(0).data(), inertia_.data(), nodes(), alpha, dt,
+                 angular_velocity_.front().data());
   for (Support& support : support_) {
     const int i = support.node;
     work.damping -= damping_work(i, dt, alpha, Mat3::Identity(), Mat3::Identity());
@@ -139,8 +139,16 @@ StepWork ShellModel::advance(double dt, double alpha)
     fastest = std::max(fastest, velocity_[i].squaredNorm());
     work.external += 0.5 * dt * external_[i].dot(velocity_before_[i] + velocity_[i]);
     position_[i] += dt * velocity_[i];
-    rotation_[i] = turned(rotation_[i], angular_velocity_[i], dt);
-    rotation_matrix_[i] = rotation_[i].toRotationMatrix();
+  }
+  for (int first = 0; first < nodes(); first += nodes_in_batch) {
+    const int last = std::min(first + nodes_in_batch, nodes());
+    if (turn_nodes(angular_velocity_[first].data(), last - first, dt,
+                   rotation_[first].coeffs().data(), rotation_matrix_[first].data()))
+      continue;
+    for (int i = first; i < last; ++i) {
+      rotation_[i] = turned(rotation_[i], angular_velocity_[i], dt);
+      rotation_matrix_[i] = rotation_[i].toRotationMatrix();
+    }
   }
   travel_ += dt * std::sqrt(fastest);
   return work;

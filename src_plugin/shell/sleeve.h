@@ -66,12 +66,10 @@ class Sleeve {
   template <typename Grains, typename Law>
   std::optional<GrainBehind> press_grains(const Grains& grains, const Law& law)
   {
-    return contacts_.resolve(model_, !control_.rigid, grains, masses_.contact_bound(),
-                             [&](const SleeveContact& contact) {
-                               const SleeveReaction reaction = law(contact);
-                               vertical_force_ -= reaction.force.z();
-                               return reaction;
-                             });
+    const auto behind =
+        contacts_.resolve(model_, !control_.rigid, grains, masses_.contact_bound(), law);
+    vertical_force_ = contacts_.vertical_force();
+    return behind;
   }
   /// Adds the loads up and finds the masses where it is time to. Throws InputError where the step
   /// is too long for true masses.

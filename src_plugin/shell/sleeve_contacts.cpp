@@ -14,12 +14,12 @@ namespace {
 
 /// Part of the margin by which grain and sleeve may move before all facets near by are looked at.
 constexpr double look_again = 0.1;
+constexpr int not_known = -1;  ///< how many facets are close
 
-/// Way from a point to the nearest one of a facet, which `weight` gets as area coordinates.
-Vec3 way_to_facet(const FacetVectors& corner, const Vec3& from, Vec3& weight)
+double distance_to_facet(const FacetVectors& corner, const Vec3& from)
 {
-  weight = nearest_on_triangle(corner[0], corner[1], corner[2], from);
-  return weight(0) * corner[0] + weight(1) * corner[1] + weight(2) * corner[2] - from;
+  const Vec3 weight = nearest_on_triangle(corner[0], corner[1], corner[2], from);
+  return (weight(0) * corner[0] + weight(1) * corner[1] + weight(2) * corner[2] - from).norm();
 }
 
 }  // namespace
@@ -34,26 +34,27 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
   grain_.clear();
   near_.clear();
   facet_.clear();
-  gap_.clear();
   const HeightBands bands(model.facet(), model.position());
+  int most = 0;
   for (int i = 0; i < grains; ++i) {
     const Vec3 center = as_vec3(centers + 3 * i);
     const double reach = radii[i] + 1.5 * margin;
     if (bands.is_clear(center, reach)) continue;  // most grains
-    Near near{i, static_cast<int>(facet_.size()), 0, reach, center, radii[i], listed_travel_};
+    const int begin = static_cast<int>(facet_.size());
     grid_.near(center, reach, [&](int f) {
-      Vec3 weight;
-      const double square = way_to_facet(model.corners(f), center, weight).squaredNorm();
-      if (square >= reach * reach) return;
-      facet_.push_back(f);
-      gap_.push_back(std::sqrt(square) - radii[i]);
-      near.clear = std::min(near.clear, gap_.back());
+      if (distance_to_facet(model.corners(f), center) < reach) facet_.push_back(f);
     });
-    near.end = static_cast<int>(facet_.size());
-    if (near.end == near.begin) continue;
+    const int end = static_cast<int>(facet_.size());
+    if (end == begin) continue;
     grain_.push_back(i);
-    near_.push_back(near);
+    // Nothing is known of its gaps: it is looked at as soon as contacts are asked for.
+    near_.push_back({begin, end, not_known, -1.0, 0.0, center, radii[i], listed_travel_});
+    most = std::max(most, end - begin);
   }
+  close_.resize(facet_.size());
+  gap_.resize(facet_.size());
+  touches_.make_room((in_block + 1) * most);  // of a block, and those of one grain
+  merged_.reserve(most);
 }
 
 bool SleeveContacts::is_stale(const ShellModel& model) const
@@ -68,93 +69,158 @@ bool SleeveContacts::is_stale(const ShellModel& model) const
 // Most facets near by stay out of reach for hundreds of steps. A gap d seen after the grain has
 // moved by m and the sleeve by s counts as one of d - m + s at the start: it closes no faster than
 // both move on, and the grain may first move back.
-bool SleeveContacts::touches(const ShellModel& model, Near& near, const Vec3& center, double radius)
+void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center, double radius,
+                             double closed_by_others)
 {
-  double closed = near.closed(model, center, radius);
-  if (closed < near.clear) return false;
-  const bool all = closed > look_again * margin_;
-  if (all) {
+  Near& near = near_[n];
+  const double moved = (center - near.center).norm(), closed = closed_by_others + moved;
+  Look& look = look_[looks_++];
+  const bool all = near.close == not_known || closed > look_again * margin_;
+  look = {n, touches_.count(), 0, closed, moved, all};
+  const auto add = [&](int f) {
+    touches_.add(f, model.facet()[f], model.position(), center, radius);
+  };
+  if (look.all) {
     near.center = center, near.radius = radius, near.travel = model.travel();
-    closed = 0.0;
+    look.closed = look.moved = 0.0;
+    for (int m = near.begin; m < near.end; ++m) add(facet_[m]);
+  } else {
+    for (int m = near.begin; m < near.begin + near.close; ++m)
+      if (!(gap_[m] > closed)) add(close_[m]);
   }
-  const double moved = (center - near.center).norm();
-  facets_.clear();
-  near.clear = std::numeric_limits<double>::infinity();
-  for (int m = near.begin; m < near.end; ++m) {
-    if (all || !(gap_[m] > closed)) {
-      const int f = facet_[m];
-      Vec3 weight;
-      const Vec3 way = way_to_facet(model.corners(f), center, weight);
-      const double square = way.squaredNorm();
-      const double distance = std::sqrt(square);
-      gap_[m] = distance - radius + closed - 2.0 * moved;
-      if (square < radius * radius)
-        facets_.push_back({f, weight, way / distance, radius - distance, 0.0, 0.0});
+  look.last = touches_.count();
+}
+
+void SleeveContacts::take_gaps(const Look& look)
+{
+  Near& near = near_[look.n];
+  int p = look.first;
+  if (look.all) {
+    near.close = 0;
+    near.clear_rest = std::numeric_limits<double>::infinity();
+    for (; p < look.last; ++p) {
+      const double gap = touches_.gap(p);
+      if (gap > look_again * margin_) {
+        near.clear_rest = std::min(near.clear_rest, gap);
+        continue;
+      }
+      const int m = near.begin + near.close++;
+      close_[m] = touches_.facet(p);
+      gap_[m] = gap;
     }
+  }
+  near.clear = near.clear_rest;
+  for (int m = near.begin; m < near.begin + near.close; ++m) {
+    if (!look.all && !(gap_[m] > look.closed))
+      gap_[m] = touches_.gap(p++) + look.closed - 2.0 * look.moved;
     near.clear = std::min(near.clear, gap_[m]);
   }
-  if (facets_.empty()) return false;
-  merged_ = merge_touches(facets_);
-  return true;
+}
+
+std::optional<GrainBehind> SleeveContacts::find_contacts()
+{
+  if (looks_ == 0) return {};
+  int kept = look_[0].first;
+  touches_.find_nearest(kept);
+  for (int l = 0; l < looks_; ++l) {
+    const Look& look = look_[l];
+    take_gaps(look);
+    Pairs pairs{kept, kept};
+    for (int p = look.first; p < look.last; ++p)
+      if (touches_.gap(p) < 0.0) touches_.move(p, kept++);
+    pairs.last = kept;
+    if (pairs.last == pairs.first) continue;
+    const int grain = grain_[look.n];
+    if (is_behind(pairs)) return GrainBehind{grain, touches_.facet(pairs.first)};
+    contact_[contacts_] = {look.n, grain, merge(pairs), {}};
+    pairs_[contacts_++] = pairs;
+  }
+  touches_.keep_first(kept);
+  return {};
 }
 
 // Over an edge or a node several facets are as deep. At a sharp fold the direction may point
 // against the normal of one of them on the right side too: the one it is most along tells the side.
 // A center in the surface has no direction and counts as behind.
-bool SleeveContacts::is_behind(const ShellModel& model) const
+bool SleeveContacts::is_behind(const Pairs& pairs) const
 {
-  double deepest = 0.0, side = 0.0;
-  for (const FacetTouch& t : facets_) deepest = std::max(deepest, t.overlap);
-  for (const FacetTouch& t : facets_) {
-    if (t.overlap < 0.999 * deepest) continue;
-    const FacetVectors corner = model.corners(t.facet);
-    const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
-    const double cosine = t.direction.dot(normal);
-    if (std::abs(cosine) > std::abs(side)) side = cosine;
+  double nearest = 0.0, side = 0.0;
+  for (int p = pairs.first; p < pairs.last; ++p) nearest = std::min(nearest, touches_.gap(p));
+  for (int p = pairs.first; p < pairs.last; ++p) {
+    const double cosine = touches_.side(p);
+    if (touches_.gap(p) <= 0.999 * nearest && std::abs(cosine) > std::abs(side)) side = cosine;
   }
   return !(side > 0.0);
 }
 
-void SleeveContacts::take_point(const ShellModel& model, const Vec3& point)
+MergedContact SleeveContacts::merge(const Pairs& pairs)
 {
-  levers_.clear();
-  for (const FacetTouch& t : facets_) levers_.emplace_back(model.corners(t.facet), point);
-}
-
-SurfaceMotion SleeveContacts::surface_motion(const ShellModel& model) const
-{
-  SurfaceMotion motion{Vec3::Zero(), Vec3::Zero()};
-  for (std::size_t n = 0; n < facets_.size(); ++n) {
-    const Facet& node = model.facet()[facets_[n].facet];
-    const FacetVectors velocity{model.velocity()[node[0]], model.velocity()[node[1]],
-                                model.velocity()[node[2]]};
-    const Vec3 spin = levers_[n].spin(velocity);
-    motion.velocity += facets_[n].share * levers_[n].velocity(velocity, spin);
-    motion.spin += facets_[n].share * spin;
+  const int first = pairs.first;
+  const Vec3 center = touches_.center(first);
+  const auto point_of = [&](const MergedContact& merged) -> Vec3 {
+    return center + contact_arm(touches_.radius(first), merged.overlap) * merged.normal;
+  };
+  if (pairs.last == first + 1) {  // most of them
+    const FacetTouch touch = touches_.touch(first);
+    const MergedContact alone{touch.overlap, touch.direction, 1.0};
+    touches_.join(first, 1.0, 1.0, point_of(alone));
+    return alone;
   }
-  return motion;
+  merged_.clear();
+  for (int p = first; p < pairs.last; ++p) merged_.push_back(touches_.touch(p));
+  const MergedContact merged = merge_touches(merged_);
+  const Vec3 point = point_of(merged);
+  for (int p = first; p < pairs.last; ++p)
+    touches_.join(p, merged_[p - first].pull, merged_[p - first].share, point);
+  return merged;
 }
 
-void SleeveContacts::press(ShellModel& model, double normal_force, const Vec3& shear,
-                           const Vec3& moment) const
+void SleeveContacts::find_motion(int count, const ShellModel& model)
 {
-  for (std::size_t n = 0; n < facets_.size(); ++n) {
-    const FacetTouch& t = facets_[n];
-    const Facet& node = model.facet()[t.facet];
-    const Vec3 normal = (normal_force * t.pull) * t.direction;
-    const FacetVectors along = levers_[n].nodal_forces(t.share * shear, t.share * moment);
-    for (int i = 0; i < 3; ++i) model.force(node[i]) += t.weight(i) * normal + along[i];
+  touches_.find_motion(pairs_[count - 1].last, model.velocity());
+  for (int c = 0; c < count; ++c)
+    for (int p = pairs_[c].first; p < pairs_[c].last; ++p) {
+      const SurfaceMotion motion = touches_.motion(p);
+      contact_[c].surface.velocity += motion.velocity;
+      contact_[c].surface.spin += motion.spin;
+    }
+}
+
+void SleeveContacts::take_reactions(int count, ShellModel& model, bool moves,
+                                    std::vector<StiffnessBound>* bound)
+{
+  for (int c = 0; c < count; ++c) {
+    const SleeveReaction& reaction = reaction_[c];
+    vertical_force_ -= reaction.force.z();
+    const Vec3 shear = -reaction.force - reaction.normal_force * contact_[c].merged.normal;
+    for (int p = pairs_[c].first; p < pairs_[c].last; ++p) {
+      touches_.set_load(p, reaction.normal_force, shear, reaction.moment);
+      if (bound) add_stiffness(p, reaction.stiffness, *bound);
+    }
+  }
+  if (moves) touches_.press(pairs_[count - 1].last, model.load().data());
+}
+
+void SleeveContacts::forget(int count)
+{
+  const int gone = pairs_[count - 1].last;
+  for (int p = gone; p < touches_.count(); ++p) touches_.move(p, p - gone);
+  touches_.keep_first(touches_.count() - gone);
+  contacts_ -= count;
+  for (int c = 0; c < contacts_; ++c) {
+    contact_[c] = contact_[c + count];
+    pairs_[c] = {pairs_[c + count].first - gone, pairs_[c + count].last - gone};
   }
 }
 
 // 2 k w for the node of weight w, so that the bounds of a node, with the grain on the other side,
 // stay above the largest eigenvalue.
-void SleeveContacts::add_stiffness(const ShellModel& model, double stiffness,
+void SleeveContacts::add_stiffness(int p, double stiffness,
                                    std::vector<StiffnessBound>& bound) const
 {
-  for (const FacetTouch& t : facets_)
-    for (int i = 0; i < 3; ++i)
-      bound[model.facet()[t.facet][i]].translation += 2.0 * stiffness * t.share * t.weight(i);
+  const Vec3 weight = touches_.weight(p);
+  for (int i = 0; i < 3; ++i)
+    bound[touches_.node(p)[i]].translation += 2.0 * stiffness * touches_.share(p) * weight(i);
 }
 
 }  // namespace encased_column

@@ -24,8 +24,6 @@ struct YieldLine {
   double tension = never;  ///< [N/m]
   double slope = 0.0;      ///< [N/m]
   double end = never;      ///< plastic strain up to which it holds [-]
-
-  double limit(double plastic) const { return tension + slope * (plastic - origin); }
 };
 
 /// Throws InputError unless the table starts at (0, 0), its strains increase and its tensions do

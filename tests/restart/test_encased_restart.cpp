@@ -46,11 +46,13 @@ TEST(EncasedRestart, GoesOnInShearAndWithTheHistory)
   expect_the_same_run(encased_shear + "run 413\n", "");
 }
 
-// Part of the facets have yielded, or begun to tear and are not through.
+// Part of the facets have yielded, or begun to tear and are not through. With a fracture energy of
+// 0.3 N the sleeve bursts in its consolidation, and whether a grain then gets through it is chance:
+// it was of round-off.
 TEST(EncasedRestart, GoesOnInsideATear)
 {
   for (const std::string after :
-       {"after_strength yield", "after_strength tear fracture_energy 0.3 when_torn go_on"}) {
+       {"after_strength yield", "after_strength tear fracture_energy 1 when_torn go_on"}) {
     const std::string cloth = "tension_only yes strain_limit 5 strength 70 70 seam 0.9 " + after;
     const TemporaryFolder folder;
     const std::string damage =
@@ -62,6 +64,7 @@ TEST(EncasedRestart, GoesOnInsideATear)
         1, folder.path());
     ASSERT_EQ(first.exit_code, 0) << first.output;
     EXPECT_GT(first.value("plastic") + first.value("damage"), 0.0) << first.output;
+    EXPECT_LT(first.value("damage"), 0.9999) << "torn through";
     run_in(folder.path(), encased_specimen_of("stop", rest("parts"), cloth));
     EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
   }

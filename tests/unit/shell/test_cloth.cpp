@@ -320,6 +320,41 @@ TEST(Wrinkles, OfASimpleShearCarryAQuarterOfTheStiffnessTimesTheAngle)
   EXPECT_NEAR(n(2) / elastic, 0.65, 1e-12);
 }
 
+// Two principal strains a and b, a the larger one: both directions pull where b + nu a > 0, else a
+// alone, like a strip, and nothing where it is no stretch (Pipkin, IMA J. Appl. Math. 36 (1986)
+// 85-99), in any axes and to round-off, close to the borders between these too.
+TEST(Wrinkles, FollowThePrincipalStrainsToRoundOff)
+{
+  ShellConstants c = geotextile_of_table_3();
+  c.tension_only = true;
+  const ShellMaterial material(c);
+  RandomVectors random(23);
+  int kind[3] = {0, 0, 0};
+  for (int n = 0; n < 20000; ++n) {
+    const Vec3 any = random();
+    const double size = std::pow(10.0, -4.0 + 3.0 * any.z());
+    double a = size * any.x(), b = size * any.y();
+    if (n % 4 == 1) b = -0.3 * a * (1.0 + 1e-9 * any.y());
+    if (n % 4 == 2) a = 1e-9 * size * any.x();
+    if (a < b) std::swap(a, b);
+    const int pulls = b + 0.3 * a > 0.0 ? 2 : a > 0.0 ? 1 : 0;
+    ++kind[pulls];
+    const double along = pulls == 2   ? strip_stiffness / 0.91 * (a + 0.3 * b)
+                         : pulls == 1 ? strip_stiffness * a
+                                      : 0.0;
+    const double across = pulls == 2 ? strip_stiffness / 0.91 * (b + 0.3 * a) : 0.0;
+    const double angle = pi * random().x(), x = std::cos(2.0 * angle), y = std::sin(2.0 * angle);
+    const double mean = 0.5 * (a + b), half = 0.5 * (a - b);
+    const PlaneVector found =
+        material.membrane_force({mean + half * x, mean - half * x, 2.0 * half * y});
+    const double middle = 0.5 * (along + across), difference = 0.5 * (along - across);
+    const PlaneVector expected(middle + difference * x, middle - difference * x, difference * y);
+    EXPECT_LT((found - expected).norm(), 1e-14 * strip_stiffness * size)
+        << "strains " << a << " " << b << " at " << angle;
+  }
+  for (const int times : kind) EXPECT_GT(times, 2000);
+}
+
 // A strip of height h stretched by P and bent by M: fibres k (y - b), slack below b.
 // Source: Stein and Hedgepeth, NASA TN D-813 (1961).
 TEST(Wrinkles, OfABentStripAreAsDeepAsSteinAndHedgepethSay)

@@ -136,6 +136,60 @@ TEST(ClothBatches, GiveTheLoadsOfEachFacet)
       }
 }
 
+// Whatever it remembers, any strain and bend: facets side by side as each one by ShellElement,
+// which has no rows of numbers, limits or batches.
+TEST(ClothBatches, GiveTheLoadsOfEachFacetWithAnyMemory)
+{
+  for (const bool wrinkles : {false, true})
+    for (const bool orthotropic : {false, true}) {
+      ShellConstants c = orthotropic ? orthotropic_shell() : isotropic_shell();
+      c.thickness = c.bending_thickness = 0.002;
+      c.tension_only = wrinkles;
+      c.cloth.strength = {300.0, 200.0};
+      c.cloth.after = AfterStrength::tear;
+      c.cloth.fracture_energy = 1e3;
+      ShellModel model(cylinder_mesh(TubeShape{0.05, 0.0, 0.06, 0.01}), c, Vec3::UnitZ());
+      RandomVectors random(31);
+      for (int n = 0; n < 10; ++n) {
+        std::vector<Vec3> x = model.reference();
+        std::vector<Quaternion> q = model.rotation();
+        for (Vec3& p : x) p = (0.98 + 0.02 * n) * p + 0.002 * random();
+        for (Quaternion& r : q) r = rotation_from_vector(0.3 * random());
+        model.set_state(x, q, model.velocity(), model.angular_velocity());
+        for (int f = 0; f < model.facets(); ++f) {
+          const Vec3 some = random(), more = random();
+          FacetMemory memory;
+          memory.plastic_strain = {0.05 * std::abs(some.x()), 0.05 * std::abs(some.y())};
+          if (f % 2 == 0) memory.damage = {std::abs(more.x()), std::abs(more.y())};
+          if (f % 2 == 0) memory.slip = 0.05 * more.z();
+          memory.most_shear = 0.1 * std::abs(some.z());
+          model.cloth().set_memory(f, memory);
+        }
+        model.clear_loads();
+        const double energy = model.add_internal_loads(0, model.facets(), true);
+        double sum = 0.0;
+        std::vector<Vec3> load(2 * model.nodes(), Vec3::Zero());
+        for (int f = 0; f < model.facets(); ++f) {
+          const FacetLoads loads = model.element()[f].loads(
+              model.material(), model.corners(f), model.corner_rotations(f), model.memory(f));
+          for (int i = 0; i < 3; ++i) {
+            load[model.facet()[f][i]] += loads.force[i];
+            load[model.nodes() + model.facet()[f][i]] += loads.moment[i];
+          }
+          sum += loads.energy;
+        }
+        EXPECT_NEAR(energy / sum, 1.0, 1e-12);
+        double largest[2] = {0.0, 0.0}, off[2] = {0.0, 0.0};
+        for (std::size_t i = 0; i < load.size(); ++i) {
+          const int moment = static_cast<int>(i) / model.nodes();
+          largest[moment] = std::max(largest[moment], load[i].norm());
+          off[moment] = std::max(off[moment], (load[i] - model.load()[i]).norm());
+        }
+        for (const int moment : {0, 1}) EXPECT_LT(off[moment], 1e-12 * largest[moment]) << n;
+      }
+    }
+}
+
 // Half torn a facet bears half, moments too, and torn through nothing, however it is bent.
 TEST(ClothBatches, LeaveATornFacetTheShareOfItsDamageInMembraneAndBending)
 {

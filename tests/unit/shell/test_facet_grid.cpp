@@ -48,6 +48,7 @@ TEST(FacetGrid, FindsOnceEveryFacetThatIsWithinReach)
         EXPECT_TRUE(std::binary_search(found.begin(), found.end(), f)) << "facet " << f;
       }
     }
+    for (const int f : found) EXPECT_LT(distance_to_sphere(model, f, x), reach + 1e-12);
     found_of_all += found.size();
   }
   EXPECT_LT(found_of_all, 2000u * model.facets() / 3) << "it spares most of the work";

@@ -153,6 +153,73 @@ TEST(SleeveContacts, SurfaceOfATurningTubeMovesAsARigidBody)
   EXPECT_GT(several, 10);
 }
 
+// To a batch of contacts the sleeve is a body with its center where the overlap ends.
+TEST(SleeveContacts, BodyOfATurningTubeMovesAsARigidBody)
+{
+  ShellModel model = crumpled_tube(0.002);
+  const Vec3 speed(0.3, -0.1, 0.2), spin(10.0, 20.0, -30.0);
+  std::vector<Vec3> velocity;
+  for (const Vec3& x : model.position()) velocity.push_back(speed + spin.cross(x));
+  model.set_state(model.position(), model.rotation(), velocity, model.angular_velocity());
+  int seen = 0;
+  for (const Vec3& center : grains_inside(60))
+    press(model, center, [&](const SleeveContact& contact) {
+      const MergedContact& merged = contact.merged;
+      const ContactBody body = contact.body();
+      const Vec3 end = center + (radius - merged.overlap) * merged.normal;
+      EXPECT_LT((body.velocity - speed - spin.cross(end)).norm(), 1e-12);
+      EXPECT_EQ(body.radius, 0.0);
+      if (merged.overlap > 1e-4) ++seen;
+      return no_reaction(contact);
+    });
+  EXPECT_GT(seen, 10);
+}
+
+// More grains than a block has room for, at different heights: each presses on its own.
+TEST(SleeveContacts, GrainsOfManyBlocksPressWithTheSumOfTheirForces)
+{
+  ShellModel model = crumpled_tube(0.002);
+  std::vector<Vec3> center;
+  for (int ring = 0; ring < 3; ++ring)
+    for (const Vec3& c : grains_inside(60)) center.push_back(c + 0.005 * ring * Vec3::UnitZ());
+  const std::vector<double> radii(center.size(), radius);
+  SleeveContacts contacts;
+  contacts.list(model, center.front().data(), radii.data(), static_cast<int>(center.size()), 0.001);
+  RandomVectors random(21);
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+  int calls = 0;
+  std::vector<int> touching;
+  model.clear_loads();
+  const auto law = [&](const SleeveContact* contact, int count, SleeveReaction* reaction) {
+    ++calls;
+    ASSERT_LE(count, SleeveContacts::in_block);
+    for (int c = 0; c < count; ++c) {
+      const Vec3& x = center[contact[c].grain];
+      const Push push = push_of(contact[c].merged, x, random);
+      reaction[c] = push.reaction(contact[c].merged);
+      force -= reaction[c].force;
+      // The normal force goes through the center.
+      moment += x.cross(push.normal_force * contact[c].merged.normal) +
+                push.point.cross(push.shear) + push.moment;
+      touching.push_back(contact[c].grain);
+    }
+  };
+  ASSERT_FALSE(
+      contacts.resolve(model, true, SomeGrains{center.front().data(), radii}, nullptr, law));
+  std::vector<int> expected;
+  for (std::size_t i = 0; i < center.size(); ++i)
+    if (deepest_overlap(model, center[i]) > 0.0) expected.push_back(static_cast<int>(i));
+  EXPECT_EQ(touching, expected) << "in the order of their numbers";
+  EXPECT_GE(calls, 3);
+  EXPECT_NEAR(contacts.vertical_force(), force.z(), 1e-12 * 200.0 * expected.size());
+  for (int i = 0; i < model.nodes(); ++i) {
+    force -= model.force(i);
+    moment -= model.position()[i].cross(model.force(i));
+  }
+  EXPECT_LT(force.norm(), 1e-12 * 200.0 * expected.size());
+  EXPECT_LT(moment.norm(), 1e-12 * 200.0 * expected.size());
+}
+
 // Whatever the nodes do: else friction on a sleeve that shakes would make energy out of nothing.
 TEST(SleeveContacts, PowerOfTheNodalForcesIsThatOfShearAndMomentOnTheSurface)
 {
@@ -263,6 +330,91 @@ TEST(SleeveContacts, TheListHoldsUntilSomethingMovedHalfTheMargin)
   x[3] += 0.6 * margin * Vec3::UnitX();
   place(model, x);
   EXPECT_TRUE(contacts.is_stale(model));
+}
+
+// A list is kept as long as the host keeps its own, until a grain has moved by half the margin or
+// the sleeve's nodes have: in every step the facets of every contact are those that touch when all
+// facets are looked at. First grains grow in a sleeve that stands, with a jump now and then, then
+// the sleeve shakes and bulges with them, slowly, fast and back again; now and then the grains come
+// in another order, as from another rank.
+TEST(SleeveContacts, MissNoFacetWhileGrainsAndSleeveMove)
+{
+  ShellModel model = crumpled_tube(0.002);
+  std::vector<Vec3> center = grains_inside(60);
+  std::vector<double> radii;
+  RandomVectors random(17);
+  for (std::size_t i = 0; i < center.size(); ++i)
+    radii.push_back(radius * (0.8 + 0.1 * random().x()));
+  const double margin = 0.002;
+  const int grains = static_cast<int>(center.size());
+  std::vector<Vec3> listed;
+  std::vector<double> listed_radii;
+  SleeveContacts contacts;
+  const auto list = [&] {
+    contacts.list(model, center.front().data(), radii.data(), grains, margin);
+    listed = center;
+    listed_radii = radii;
+  };
+  list();
+  std::vector<Vec3> start = center, still = model.position();
+  int lists = 0, touching = 0, several = 0;
+  for (int step = 0; step < 1500; ++step) {
+    const bool grows = step < 500;
+    const double speed = step % 100 < 80 ? 0.004 : 0.2;  // of the margin, in a step
+    for (int i = 0; i < grains; ++i) {
+      if (i % 3 == 0 && step % 7 != 0) continue;  // at rest while the sleeve comes closer
+      center[i] += speed * margin * random() + 0.02 * (start[i] - center[i]);
+      if (grows) radii[i] *= 1.0 + (step % 50 == 49 ? 2e-3 : 2e-4 * random().x());
+    }
+    if (!grows) {
+      std::vector<Vec3> x = model.position();
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] += speed * margin * random() +
+                0.05 * ((1.0 - 0.02 * std::sin(0.02 * step)) * still[i] - x[i]);
+      place(model, x);
+    }
+    if (step % 311 == 310) {
+      std::swap(center[1], center[40]);
+      std::swap(start[1], start[40]);
+      std::swap(radii[1], radii[40]);
+      list();
+    }
+    bool is_stale = contacts.is_stale(model);
+    for (int i = 0; i < grains; ++i)
+      is_stale = is_stale || (center[i] - listed[i]).norm() + std::abs(radii[i] - listed_radii[i]) >
+                                 0.5 * margin;
+    if (is_stale) list(), ++lists;
+    std::vector<MergedContact> found(grains, {0.0, Vec3::Zero(), 0.0});
+    const auto behind = contacts.resolve(model, true, SomeGrains{center.front().data(), radii},
+                                         nullptr, [&](const SleeveContact& contact) {
+                                           found[contact.grain] = contact.merged;
+                                           return no_reaction(contact);
+                                         });
+    ASSERT_FALSE(behind) << "at step " << step;
+    for (int i = 0; i < grains; ++i) {
+      std::vector<FacetTouch> touches;
+      for (int f = 0; f < model.facets(); ++f) {
+        const Vec3 way = nearest_point(model, f, center[i]) - center[i];
+        const double distance = way.norm();
+        if (distance < radii[i])
+          touches.push_back({f, Vec3::Zero(), way / distance, radii[i] - distance, 0.0, 0.0});
+      }
+      if (touches.empty()) {
+        ASSERT_EQ(found[i].overlap, 0.0) << "grain " << i << " at step " << step;
+        continue;
+      }
+      ++touching;
+      if (touches.size() > 1) ++several;
+      const MergedContact expected = merge_touches(touches);
+      ASSERT_NEAR(found[i].overlap, expected.overlap, 1e-15) << "grain " << i << " at " << step;
+      ASSERT_LT((found[i].normal - expected.normal).norm(), 1e-9)
+          << "grain " << i << " at " << step;
+    }
+  }
+  EXPECT_GT(several, 3000);
+  EXPECT_GT(touching, several + 2000);
+  EXPECT_GT(lists, 20);
+  EXPECT_LT(lists, 700);
 }
 
 // The bound of a node must not be smaller than what the contact adds to its stiffness.

@@ -38,13 +38,14 @@ TEST(SleeveEnergy, ClosesOver100000StepsWithoutDamping)
   EXPECT_LT(worst, 0.02);
 }
 
-// Of all energy that took part yield took 1.3 %, the tear 0.5 %: an account without them would be
-// seen.
+// Of all energy that took part yield took 1.3 %, the tear 1.6 %: an account without them would be
+// seen. No facet tears through: with a fracture energy of 0.3 N the sleeve bursts in its
+// consolidation, and chance has a say.
 TEST(SleeveEnergy, AccountOfAnEncasedTestWhoseClothYieldsOrTearsClosesWithinOnePercent)
 {
   for (const std::string cloth :
        {"strength 60 60 after_strength yield",
-        "strength 70 70 after_strength tear fracture_energy 0.3 when_torn go_on"}) {
+        "strength 70 70 after_strength tear fracture_energy 1 when_torn go_on"}) {
     const TemporaryFolder folder;
     const Outcome outcome =
         run_deck(new_encased_specimen(encased_shear + "run 800\n",
