@@ -6,10 +6,11 @@ namespace encased_column {
 const std::vector<Quantity>& quantities()
 {
   static const std::vector<Quantity> all{
-      {"secant_modulus", "Pa", "E50: half of the peak q over the axial strain where it is reached"},
-      {"peak_q", "Pa", "largest deviatoric stress"},
+      {"secant_modulus", "Pa", "E50: half of the peak q over the axial strain where it is reached",
+       false, true},
+      {"peak_q", "Pa", "largest deviatoric stress", false, true},
       {"peak_strain", "-", "axial strain of it"},
-      {"end_q", "Pa", "mean deviatoric stress over the last 1 % of axial strain"},
+      {"end_q", "Pa", "mean deviatoric stress over the last 1 % of axial strain", false, true},
       {"end_ratio", "-", "end_q over peak_q: 1 for a level curve"},
       {"end_volumetric_strain", "-", "volumetric strain at the end, compression positive"},
       {"radial_strain_25", "-", "expansion at a quarter of the height, at the end"},

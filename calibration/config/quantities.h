@@ -9,7 +9,8 @@ namespace encased_column {
 /// Something a test gives that a calibration may be told to meet.
 struct Quantity {
   std::string name, unit, meaning;
-  bool of_several = false;  ///< of the tests at several confining stresses together
+  bool of_several = false;    ///< of the tests at several confining stresses together
+  bool proportional = false;  ///< scatters between packings in proportion to its value
 };
 
 /// All of them, as the user page lists them.

@@ -29,7 +29,7 @@ FittedOutput fit_output(const SearchPlan& plan, unsigned seed, const Goal& goal,
   fitted.kind = best.kind;
   fitted.surrogate = fit_of(best.kind, data, seed)(data);
   fitted.error = error_near(best, data, goal.value);
-  fitted.scatter = pooled_scatter(data.values, data.groups);
+  fitted.scatter = packing_scatter(data, goal.value);
   fitted.runs = data.size();
   return fitted;
 }
@@ -49,15 +49,20 @@ Eigen::VectorXd Fitted::values(const Eigen::VectorXd& point) const
   return all;
 }
 
-double Fitted::mismatch_at(const Eigen::VectorXd& point) const
+double Fitted::mismatch_at(const Eigen::VectorXd& point, const std::vector<Goal>& from) const
 {
   double sum = 0.0;
   for (std::size_t n = 0; n < outputs.size(); ++n)
-    if (goals[n].weight > 0.0)
-      sum +=
-          goals[n].weight *
-          std::pow((outputs[n].surrogate->value(point) - goals[n].value) / goals[n].deviation, 2);
+    if (from[n].weight > 0.0)
+      sum += from[n].weight *
+             std::pow((outputs[n].surrogate->value(point) - from[n].value) / from[n].deviation, 2);
   return sum;
+}
+
+double packing_scatter(const Data& data, double value)
+{
+  if (!data.proportional) return pooled_scatter(data.values, data.groups);
+  return std::abs(value) * pooled_scatter(data.logarithms().values, data.groups);
 }
 
 Fitted fit_outputs(const CalibrationConfig& config, const std::vector<Output>& outputs,
@@ -65,12 +70,17 @@ Fitted fit_outputs(const CalibrationConfig& config, const std::vector<Output>& o
 {
   Fitted fitted;
   fitted.goals = goals_of(outputs);
+  fitted.sought = fitted.goals;
   for (std::size_t n = 0; n < outputs.size(); ++n) {
-    const Data data = table.data_of(table.values.col(static_cast<Eigen::Index>(n)));
+    const Data data = table.data_of(outputs[n], static_cast<Eigen::Index>(n));
     fitted.outputs.push_back(fit_output(config.search, config.design.seed, fitted.goals[n], data));
     const FittedOutput& one = fitted.outputs.back();
     fitted.goals[n].deviation =
         combined_deviation(fitted.goals[n].tolerance, one.scatter, one.error);
+    // What is left of the surrogate's error where the scatter of single packings is taken out.
+    const double square = one.error * one.error - one.scatter * one.scatter;
+    fitted.sought[n].deviation =
+        combined_deviation(fitted.sought[n].tolerance, 0.0, std::sqrt(std::max(square, 0.0)));
   }
   const Data seconds = table.data_of(table.seconds.array().log().matrix());
   if (config.search.cost && seconds.size() >= fewest_runs)
@@ -103,7 +113,7 @@ std::vector<Eigen::VectorXd> candidates(const CalibrationConfig& config, const F
                                         std::vector<Found>* front)
 {
   const CubeFunction objective = [&](const Eigen::VectorXd& point) {
-    return fitted.mismatch_at(point);
+    return fitted.mismatch_at(point, fitted.sought);
   };
   const int dimensions = config.space.size();
   const auto wanted = static_cast<std::size_t>(config.search.candidates);
@@ -124,7 +134,8 @@ std::vector<Eigen::VectorXd> candidates(const CalibrationConfig& config, const F
   }
   if (chosen.size() >= wanted) return chosen;
   const Posterior posterior = sample_posterior(
-      [&](const Eigen::VectorXd& point) { return -0.5 * objective(point); }, best.point, 400, seed);
+      [&](const Eigen::VectorXd& point) { return -0.5 * fitted.mismatch_at(point, fitted.goals); },
+      best.point, 400, seed);
   Eigen::MatrixXd known = table.points;
   while (chosen.size() < wanted) {
     known.conservativeResize(known.rows() + 1, dimensions);
@@ -145,7 +156,7 @@ std::vector<Eigen::VectorXd> candidates(const CalibrationConfig& config, const F
 Posterior posterior_of(const CalibrationConfig& config, const Fitted& fitted)
 {
   const CubeFunction objective = [&](const Eigen::VectorXd& point) {
-    return fitted.mismatch_at(point);
+    return fitted.mismatch_at(point, fitted.goals);
   };
   const Found best = genetic_search(objective, config.space.size(), config.design.seed);
   return sample_posterior([&](const Eigen::VectorXd& point) { return -0.5 * objective(point); },
@@ -154,18 +165,19 @@ Posterior posterior_of(const CalibrationConfig& config, const Fitted& fitted)
 
 std::optional<int> best_point(const RunTable& table, const std::vector<Goal>& goals, int repeats)
 {
-  std::optional<int> best;
-  double least = HUGE_VAL;
-  for (const int id : std::set<int>(table.ids.begin(), table.ids.end())) {
-    const int packings = table.packings_at(id);
-    if (packings == 0) continue;
-    const double luck = std::max(repeats - packings, 0);
-    const double found = mismatch(table.mean_at(id), goals) + luck;
-    if (found >= least) continue;
-    least = found;
-    best = id;
+  for (const int enough : {repeats, 1}) {
+    std::optional<int> best;
+    double least = HUGE_VAL;
+    for (const int id : std::set<int>(table.ids.begin(), table.ids.end())) {
+      if (table.packings_at(id) < enough) continue;
+      const double found = mismatch(table.mean_at(id), goals);
+      if (found >= least) continue;
+      least = found;
+      best = id;
+    }
+    if (best) return best;
   }
-  return best;
+  return std::nullopt;
 }
 
 }  // namespace encased_column

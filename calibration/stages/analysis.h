@@ -25,12 +25,17 @@ struct FittedOutput {
 /// All that is known of the outputs with the runs so far.
 struct Fitted {
   std::vector<FittedOutput> outputs;
-  std::vector<Goal> goals;                       ///< with their deviations
+  std::vector<Goal> goals;   ///< deviations: of one packing, as the laboratory's specimen is one
+  std::vector<Goal> sought;  ///< deviations: of the mean over packings, which the search looks for
   std::shared_ptr<const Surrogate> log_seconds;  ///< of all cases together; empty without times
 
   Eigen::VectorXd values(const Eigen::VectorXd& point) const;
-  double mismatch_at(const Eigen::VectorXd& point) const;
+  /// Of what the surrogates foretell, from `goals` or `sought`.
+  double mismatch_at(const Eigen::VectorXd& point, const std::vector<Goal>& from) const;
 };
+
+/// Standard deviation of one packing about the mean of its point, for a value of about `value`.
+double packing_scatter(const Data& data, double value);
 
 /// Fits and validates surrogates of all outputs. Throws InputError where an output has fewer than
 /// ten runs.
@@ -55,9 +60,9 @@ std::vector<Eigen::VectorXd> candidates(const CalibrationConfig& config, const F
 /// The posterior of all parameters, from the best point of the surrogates.
 Posterior posterior_of(const CalibrationConfig& config, const Fitted& fitted);
 
-/// The point, among those that have run with all cases, whose mean comes closest to the goals. A
-/// point with fewer than `repeats` packings may be good by luck: its mismatch counts one more for
-/// each that it lacks. Nothing if no point has run.
+/// The point, among those that have run with all cases, whose mean comes closest to the goals. One
+/// with fewer than `repeats` packings may be good by luck: it counts only where no other has run.
+/// Nothing if no point has run.
 std::optional<int> best_point(const RunTable& table, const std::vector<Goal>& goals, int repeats);
 
 }  // namespace encased_column

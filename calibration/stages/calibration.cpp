@@ -5,6 +5,7 @@
 #include "search/identifiability.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace encased_column {
 
@@ -103,12 +104,8 @@ Round Calibration::state_of(int number) const
                                                                      : runs.erase(one);
   Round state{number, static_cast<long>(runs.size()), 0.0, false};
   const RunTable table = table_of(config_, outputs_, points, runs);
-  std::vector<Goal> goals = goals_of(outputs_);
-  for (std::size_t n = 0; n < goals.size(); ++n)
-    goals[n].deviation = combined_deviation(
-        goals[n].tolerance,
-        pooled_scatter(table.values.col(static_cast<Eigen::Index>(n)), table.ids), 0.0);
-  const auto best = best_point(table, goals, 1);
+  const std::vector<Goal> goals = goals_of_means(table);
+  const auto best = best_point(table, goals, config_.design.repeats);
   if (!best) return state;
   state.best = mismatch(table.mean_at(*best), goals);
   // Met by chance is not met: it takes all packings.
@@ -116,6 +113,18 @@ Round Calibration::state_of(int number) const
     state.met = state.met || (table.packings_at(one.id) >= config_.design.repeats &&
                               all_met(table.mean_at(one.id), goals));
   return state;
+}
+
+std::vector<Goal> Calibration::goals_of_means(const RunTable& table) const
+{
+  std::vector<Goal> goals = goals_of(outputs_);
+  for (std::size_t n = 0; n < goals.size(); ++n) {
+    const Data data = table.data_of(outputs_[n], static_cast<Eigen::Index>(n));
+    goals[n].deviation = combined_deviation(
+        goals[n].tolerance,
+        packing_scatter(data, goals[n].value) / std::sqrt(1.0 * config_.design.repeats), 0.0);
+  }
+  return goals;
 }
 
 void Calibration::add_round(int number)
@@ -146,7 +155,7 @@ Findings Calibration::findings() const
     candidates(config_, found.fitted, found.table, config_.design.seed, &found.front);
   for (int round = 0; round <= last_round(found.points); ++round)
     found.rounds.push_back(state_of(round));
-  const auto best = best_point(found.table, found.fitted.goals, config_.design.repeats);
+  const auto best = best_point(found.table, goals_of_means(found.table), config_.design.repeats);
   if (!best)
     throw InputError("a calibration takes one point with all cases run, found none, see why runs " +
                      std::string("failed in 'runs.sqlite'"));

@@ -49,6 +49,8 @@ class Calibration {
 
  private:
   RunsEnd make_runs(RunProgram& program);
+  /// With the deviations of means over packings.
+  std::vector<Goal> goals_of_means(const RunTable& table) const;
   void add_round(int number);
   Round state_of(int number) const;
   RunTable table() const;

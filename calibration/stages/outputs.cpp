@@ -42,7 +42,11 @@ std::vector<Output> outputs_of(const std::vector<Target>& targets)
       const Quantity& quantity = *find_quantity(target.quantity);
       std::string name = target.quantity;
       if (target.cases.size() == 1) name += " of " + target.cases.front();
-      all.push_back({{name, target.value, target.tolerance, target.weight}, quantity.unit, n});
+      all.push_back({{name, target.value, target.tolerance, target.weight},
+                     quantity.unit,
+                     n,
+                     0.0,
+                     quantity.proportional});
       continue;
     }
     for (std::size_t i = 0; i < target.strain.size(); ++i)
@@ -52,7 +56,8 @@ std::vector<Output> outputs_of(const std::vector<Target>& targets)
             target.weight / static_cast<double>(target.strain.size())},
            "Pa",
            n,
-           target.strain[i]});
+           target.strain[i],
+           true});
   }
   return all;
 }
@@ -86,6 +91,13 @@ Data RunTable::data_of(const Eigen::VectorXd& column) const
   for (Eigen::Index row = 0; row < column.size(); ++row)
     if (std::isfinite(column[row])) rows.push_back(row);
   return Data{points, column, ids}.rows(rows);
+}
+
+Data RunTable::data_of(const Output& output, Eigen::Index column) const
+{
+  Data data = data_of(values.col(column));
+  data.proportional = output.proportional && (data.values.array() > 0.0).all();
+  return data;
 }
 
 Eigen::VectorXd RunTable::mean_at(int id) const

@@ -11,9 +11,10 @@ namespace encased_column {
 /// One number that is compared with the laboratory: a target, or a curve at one strain.
 struct Output {
   Goal goal;
-  std::string unit;     ///< SI
-  std::size_t target;   ///< its number in the configuration
-  double strain = 0.0;  ///< of a curve
+  std::string unit;           ///< SI
+  std::size_t target;         ///< its number in the configuration
+  double strain = 0.0;        ///< of a curve
+  bool proportional = false;  ///< see Quantity
 };
 
 /// All numbers of all targets. A curve counts as one target: its strains share its weight.
@@ -35,6 +36,8 @@ struct RunTable {
 
   /// The rows that have a value of `column`, as a surrogate learns them.
   Data data_of(const Eigen::VectorXd& column) const;
+  /// The same of an output, by its number.
+  Data data_of(const Output& output, Eigen::Index column) const;
   /// The mean over packings of all outputs at the point `id`, and how many packings there are with
   /// all cases.
   Eigen::VectorXd mean_at(int id) const;

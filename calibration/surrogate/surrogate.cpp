@@ -5,13 +5,16 @@
 #include "surrogate/network.h"
 #include "surrogate/polynomial.h"
 
+#include <cmath>
+
 namespace encased_column {
 
 Data Data::rows(const std::vector<Eigen::Index>& chosen) const
 {
   Data part{{static_cast<Eigen::Index>(chosen.size()), points.cols()},
             Eigen::VectorXd(static_cast<Eigen::Index>(chosen.size())),
-            {}};
+            {},
+            proportional};
   for (std::size_t n = 0; n < chosen.size(); ++n) {
     part.points.row(static_cast<Eigen::Index>(n)) = points.row(chosen[n]);
     part.values[static_cast<Eigen::Index>(n)] = values[chosen[n]];
@@ -19,6 +22,30 @@ Data Data::rows(const std::vector<Eigen::Index>& chosen) const
   }
   return part;
 }
+
+Data Data::logarithms() const
+{
+  Data logs = *this;
+  logs.values = values.array().log();
+  logs.proportional = false;
+  return logs;
+}
+
+namespace {
+
+class Exponential : public Surrogate {
+ public:
+  explicit Exponential(std::unique_ptr<Surrogate> exponent) : exponent_(std::move(exponent)) {}
+  double value(const Eigen::VectorXd& point) const override
+  {
+    return std::exp(exponent_->value(point));
+  }
+
+ private:
+  std::unique_ptr<Surrogate> exponent_;
+};
+
+}  // namespace
 
 std::string name_of(SurrogateKind kind)
 {
@@ -35,6 +62,10 @@ std::string name_of(SurrogateKind kind)
 
 Fit fit_of(SurrogateKind kind, const Data& data, unsigned seed)
 {
+  if (data.proportional)
+    return [fit = fit_of(kind, data.logarithms(), seed)](const Data& part) {
+      return std::make_unique<Exponential>(fit(part.logarithms()));
+    };
   switch (kind) {
     case SurrogateKind::polynomial:
       return [](const Data& part) { return std::make_unique<Polynomial>(fit_polynomial(part)); };

@@ -16,10 +16,13 @@ struct Data {
   Eigen::MatrixXd points;
   Eigen::VectorXd values;
   std::vector<int> groups;
+  bool proportional = false;  ///< positive, and scatters the more the larger it is
 
   Eigen::Index size() const { return values.size(); }
   /// The rows of these numbers.
   Data rows(const std::vector<Eigen::Index>& chosen) const;
+  /// With the logarithms of the values, which scatter alike everywhere.
+  Data logarithms() const;
 };
 
 /// A cheap formula for a value that takes a run of minutes.
@@ -37,7 +40,8 @@ std::string name_of(SurrogateKind kind);
 
 using Fit = std::function<std::unique_ptr<Surrogate>(const Data&)>;
 
-/// How a surrogate of this kind is fitted to `data` or a part of it; the same for the same seed. Of
+/// How a surrogate of this kind is fitted to `data` or a part of it; the same for the same seed. To
+/// what scatters in proportion by its logarithms: it then foretells the median. Of
 /// Kriging the shape is found once, from all of `data`: that takes long and depends little on a
 /// part that is left out.
 Fit fit_of(SurrogateKind kind, const Data& data, unsigned seed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Surrogates: what each must know, and how they are compared.
 #include "space/designs.h"
+#include "stages/analysis.h"
 #include "surrogate/cross_validation.h"
 #include "surrogate/kriging.h"
 #include "surrogate/network.h"
@@ -127,6 +128,33 @@ TEST(CrossValidation, LeavesRunsOfOnePointOutTogether)
     EXPECT_EQ(fold.left_out.size() + fold.learnt.size(), groups.size());
   }
   EXPECT_EQ(seen, std::vector<int>(groups.size(), 1));
+}
+
+// E* a and kappa b as powers, exp(6 x - 2 y): straight in its logarithm, where three terms tell
+// all.
+TEST(Surrogates, LearnWhatScattersInProportionByItsLogarithm)
+{
+  const auto power = [](const Eigen::VectorXd& x) {
+    return 1e6 * std::exp(6.0 * x[0] - 2.0 * x[1]);
+  };
+  Data data = data_of(12, power);
+  const auto off = [&](const SurrogateKind kind) {
+    return std::abs(fit_of(kind, data, 1)(data)->value(somewhere) / power(somewhere) - 1.0);
+  };
+  EXPECT_GT(off(SurrogateKind::polynomial), 0.02);
+  data.proportional = true;
+  EXPECT_LT(off(SurrogateKind::polynomial), 1e-9);
+  EXPECT_LT(off(SurrogateKind::kriging), 0.05);
+  EXPECT_LT(cross_validate(SurrogateKind::polynomial, data, 4, 1).error, 1e-3);
+}
+
+// Two points with two packings each, 20 % apart: the logarithms differ by ln 1.2 at both.
+TEST(Surrogates, ScatterOfPackingsGoesWithTheValueWhereItIsInProportion)
+{
+  Data data{Eigen::MatrixXd::Zero(4, 1), Eigen::Vector4d(10.0, 12.0, 100.0, 120.0), {0, 0, 1, 1}};
+  EXPECT_NEAR(packing_scatter(data, 50.0), std::sqrt(0.5 * (2.0 + 200.0)), 1e-12);
+  data.proportional = true;
+  EXPECT_NEAR(packing_scatter(data, 50.0), 50.0 * std::log(1.2) / std::sqrt(2.0), 1e-12);
 }
 
 // Noise that no surrogate can foretell: its error is that of the noise, 0.5 / sqrt(3) = 0.289, or a
