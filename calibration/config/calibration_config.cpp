@@ -49,6 +49,27 @@ ParameterSpace read_parameters(const YamlMap& top)
   return ParameterSpace(all);
 }
 
+std::vector<Eigen::VectorXd> read_known(const YamlMap& top, const ParameterSpace& space)
+{
+  std::vector<Eigen::VectorXd> points;
+  if (!top.has("known")) return points;
+  std::vector<ConfigKey> keys;
+  for (const Parameter& one : space.parameters()) keys.push_back({one.name, ""});
+  for (const YamlMap& map : top.maps("known", "a known point", keys)) {
+    Eigen::VectorXd point(space.size());
+    for (int i = 0; i < space.size(); ++i) {
+      const double value = map.number_in(space[i].name, space[i].unit);
+      if (value < space[i].low || value > space[i].high)
+        throw InputError(map.place(space[i].name) + " must be within the range of its parameter, " +
+                         in_words(space[i].low) + " to " + in_words(space[i].high) + ", found '" +
+                         map.text(space[i].name) + "', widen the range or leave the point out");
+      point[i] = space.share(i, value);
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
 RunPlan read_runs(const YamlMap& top, const fs::path& folder)
 {
   const YamlMap map = top.map("runs", config_keys().runs);
@@ -202,6 +223,7 @@ CalibrationConfig read_calibration(const fs::path& file)
   config.title = top.text("title", config.name);
   config.runs = read_runs(top, folder);
   config.space = read_parameters(top);
+  config.known = read_known(top, config.space);
   for (const YamlMap& map : top.maps("targets", "a target", config_keys().target))
     config.targets.push_back(read_target(map, config.runs, folder));
   if (std::none_of(config.targets.begin(), config.targets.end(),

@@ -64,6 +64,7 @@ struct CalibrationConfig {
   std::string name, title;
   std::filesystem::path file;
   ParameterSpace space;
+  std::vector<Eigen::VectorXd> known;  ///< points of the unit cube that the user wants run
   RunPlan runs;
   std::vector<Target> targets;
   DesignPlan design;

@@ -11,6 +11,8 @@ const ConfigKeys& config_keys()
        {"runs", "what is run"},
        {"parameters", "what is looked for: a list"},
        {"targets", "what is to be met: a list"},
+       {"known",
+        "points of your own, run with several packings: a list, a value of each parameter"},
        {"design", "the first points"},
        {"search", "surrogates, search and posterior"},
        {"budget", "runs of cases in all, at most"}},

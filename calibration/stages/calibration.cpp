@@ -11,6 +11,8 @@ namespace encased_column {
 
 namespace {
 
+constexpr double same_point = 1e-9;  // of the unit cube
+
 int last_round(const std::vector<StoredPoint>& points)
 {
   int last = 0;
@@ -63,6 +65,7 @@ RunsEnd Calibration::run(RunProgram& program)
                        ", write a larger one or fewer 'points'");
     store_.add_points(first);
   }
+  add_known();
   // What a kill has left of a round is run first.
   for (;;) {
     const RunsEnd end = make_runs(program);
@@ -77,6 +80,25 @@ RunsEnd Calibration::run(RunProgram& program)
         static_cast<long>(rows_.size()) * (config_.design.repeats + config_.search.candidates - 1);
     if (runs_for(store_.points(), rows_.size()) + next > config_.budget) return RunsEnd::made;
     add_round(round + 1);
+  }
+}
+
+void Calibration::add_known()
+{
+  std::vector<StoredPoint> points = store_.points();
+  for (const Eigen::VectorXd& known : config_.known) {
+    const bool there = std::any_of(points.begin(), points.end(), [&](const StoredPoint& one) {
+      return one.stage == "known" && (one.point - known).norm() < same_point;
+    });
+    if (there) continue;
+    const StoredPoint added{0, "known", last_round(points), config_.design.repeats, known};
+    points.push_back(added);
+    const long needed = runs_for(points, rows_.size());
+    if (needed > config_.budget)
+      throw InputError("'budget' must leave room for the points of 'known', found " +
+                       std::to_string(config_.budget) + " where all are " + std::to_string(needed) +
+                       " runs, write a larger one");
+    store_.add_points({added});
   }
 }
 

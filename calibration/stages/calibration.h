@@ -52,6 +52,8 @@ class Calibration {
   /// With the deviations of means over packings.
   std::vector<Goal> goals_of_means(const RunTable& table) const;
   void add_round(int number);
+  /// Those that the user names and that are not there yet, to be run next.
+  void add_known();
   Round state_of(int number) const;
   RunTable table() const;
 

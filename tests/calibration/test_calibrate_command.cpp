@@ -135,6 +135,25 @@ TEST(CalibrateCommand, ReportsFilesTheParametersAndFailedRuns)
   EXPECT_EQ(read_text(folder.path() / "out/report.html"), page);
 }
 
+// A known point that is added to a calibration that has ended is run, and is the best there is.
+TEST(CalibrateCommand, RunsAKnownPointWithAllPackingsWhenItGoesOn)
+{
+  const TemporaryFolder folder;
+  write_config(folder.path());
+  ASSERT_EQ(run_program(words({}), folder.path()).exit_code, 0);
+  // E50 = K (1 - peak / 2 S) and peak = 0.2 / (1 / K + 0.2 / S), as in ReportsFilesTheParameters.
+  std::ofstream(folder.path() / "a.yaml", std::ios::app)
+      << "known:\n  - {stiffness: 22.25 MPa, strength: 379.9 kPa}\n";
+  const Outcome outcome = run_program(words({"--resume"}), folder.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_TRUE(outcome.says("Runs to make: 2")) << outcome.output;
+  EXPECT_TRUE(outcome.says("stiffness  22.25 MPa")) << outcome.output;
+  EXPECT_TRUE(outcome.says("strength   379.9 kPa")) << outcome.output;
+  EXPECT_EQ(lines_in(folder.path() / "starts"), all_runs + 2);
+  EXPECT_EQ(run_program(words({"--resume"}), folder.path()).exit_code, 0);
+  EXPECT_EQ(lines_in(folder.path() / "starts"), all_runs + 2);
+}
+
 TEST(CalibrateCommand, RefusesBeforeItRuns)
 {
   const TemporaryFolder folder;

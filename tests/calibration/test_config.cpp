@@ -100,7 +100,7 @@ TEST(CalibrationConfig, RefusesWhatItDoesNotKnowWithItsLine)
   expect_refused(
       "budget", "bugdet",
       "unknown key 'bugdet' of a calibration in line 15 of 'a.yaml', expected one of: name, "
-      "title, runs, parameters, targets, design, search, budget");
+      "title, runs, parameters, targets, known, design, search, budget");
   expect_refused(
       "quantity: secant_modulus", "quantity: E50",
       "'quantity' in line 10 of 'a.yaml' must be one of secant_modulus, peak_q, "
@@ -110,6 +110,30 @@ TEST(CalibrationConfig, RefusesWhatItDoesNotKnowWithItsLine)
   expect_refused("network, regression", "forest",
                  "'surrogates' in line 14 of 'a.yaml' takes regression, network and kriging, found "
                  "'forest', write for example '[regression, network]'");
+}
+
+TEST(CalibrationConfig, RefusesKnownPointsThatItCannotRun)
+{
+  const auto known = [](const std::string& point) { return "known: [{" + point + "}]\nbudget"; };
+  expect_refused("budget", known("modulus: 10 MPa, mu: 0.5"),
+                 "'modulus' in line 15 of 'a.yaml' must be within the range of its parameter, "
+                 "2e+07 to 4e+08, found '10 MPa', widen the range or leave the point out");
+  expect_refused(
+      "budget", known("modulus: 30 MPa"),
+      "a known point in line 15 of 'a.yaml' must have the key 'mu', found none, write 'mu: ...'");
+  expect_refused("budget", known("modulus: 30 MPa, mu: 0.5, kappa: 1"),
+                 "unknown key 'kappa' of a known point in line 15 of 'a.yaml', expected one of: "
+                 "modulus, mu");
+}
+
+TEST(CalibrationConfig, ReadsAKnownPointAsSharesOfTheRanges)
+{
+  const TemporaryFolder folder;
+  const CalibrationConfig config = read(
+      replaced(whole, "budget", "known: [{modulus: 89.4427191 MPa, mu: 0.55}]\nbudget"), folder);
+  ASSERT_EQ(config.known.size(), 1u);
+  EXPECT_NEAR(config.known[0][0], 0.5, 1e-9);  // the geometric mean of 20 and 400
+  EXPECT_NEAR(config.known[0][1], 0.5, 1e-9);
 }
 
 TEST(CalibrationConfig, RefusesValuesThatCannotBe)
