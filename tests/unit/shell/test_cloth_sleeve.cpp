@@ -259,13 +259,16 @@ TEST(ClothBatches, DissipateWhatFacetsNoLongerStoreWhenTheyTear)
 // facet by Cloth::follow() alone; and a sleeve that takes their memory over goes on bit by bit.
 TEST(ClothBatches, YieldAsFacetsOneByOneAndGoOnFromTheirMemory)
 {
-  for (const AfterStrength after : {AfterStrength::yield, AfterStrength::tear}) {
+  for (const auto& [after, hardening] : {std::pair{AfterStrength::yield, 0.0},
+                                         {AfterStrength::yield, 4.7e3},
+                                         {AfterStrength::tear, 0.0}}) {
     ShellConstants c = cloth_of_115();
     c.tension_only = true;
     c.cloth.strip[0] = {{0.0, 0.0}, {0.02, 2300.0}, {0.03, 2800.0}, {0.06, 3400.0}};
     c.cloth.strip[1] = {{0.0, 0.0}, {0.01, 1150.0}, {0.05, 2000.0}};
     c.cloth.strength = {3600.0, 2100.0};
     c.cloth.after = after;
+    c.cloth.hardening = hardening;
     c.cloth.fracture_energy = 100.0;
     ShellModel model(cylinder_mesh(TubeShape{0.05, 0.0, 0.06, 0.01}), c, Vec3::UnitZ());
     ShellModel other = model;
