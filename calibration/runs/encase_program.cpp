@@ -51,7 +51,9 @@ RunResult read_case(const fs::path& folder, const Targets& targets)
   const std::vector<SetResult> sets = evaluate(found.runs, {}, targets);
   const TestResult& test = sets.front().tests.front();
   const std::optional<double> asked = run.number("strain_end");
-  if (asked && test.axial_strain.back() < 0.9 * *asked)  // the rest: a step between samples
+  const std::vector<double>& strain = test.axial_strain;
+  const double rest = strain.size() < 2 ? 0.0 : 1.1 * (strain.back() - *(strain.end() - 2));
+  if (asked && strain.back() + rest < *asked)  // the rest: a step between samples
     throw InputError("shear must go to an axial strain of " + in_words(*asked) +
                      ", found its end at " + in_words(test.axial_strain.back()) +
                      ", see log.liggghts");

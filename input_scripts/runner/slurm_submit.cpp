@@ -37,6 +37,19 @@ std::string submit(const std::vector<std::string>& words)
   return line.substr(0, line.find(';'));  // number, or number;cluster
 }
 
+/// The number of the job that makes the report behind `cases`, which are taken back without it.
+std::string submit_report(const SlurmJob& job, const std::string& cases)
+{
+  const fs::path script = job.folder / "slurm/report.sh";
+  write_text_file(script, report_script(job));
+  try {
+    return submit({"sbatch", "--parsable", "--dependency=afterany:" + cases, script});
+  } catch (const InputError&) {
+    answer_of({"scancel", cases});
+    throw;
+  }
+}
+
 /// The words of a command with the same cases, decks and variables from any folder.
 std::vector<std::string> same_command(const Places& places, const RunOptions& options,
                                       const fs::path& series)
@@ -82,21 +95,20 @@ int submit_to_slurm(const Places& places, const RunOptions& options, const fs::p
   const fs::path folder = series / "slurm";
   fs::create_directories(folder);
   write_text_file(folder / "cases.sh", cases_script(job));
-  write_text_file(folder / "report.sh", report_script(job));
   const std::string cases = submit({"sbatch", "--parsable", folder / "cases.sh"});
-  std::string report;
-  try {
-    report =
-        submit({"sbatch", "--parsable", "--dependency=afterany:" + cases, folder / "report.sh"});
-  } catch (const InputError&) {
-    answer_of({"scancel", cases});
-    throw;
+  const std::string told = "Submitted job " + cases + " with " + std::to_string(missing.size()) +
+                           (missing.size() == 1 ? " task" : " tasks") + " (" + joined(missing) +
+                           ")";
+  std::string jobs = cases;
+  if (options.no_report)
+    std::cout << told << '\n';
+  else {
+    const std::string report = submit_report(job, cases);
+    jobs += "," + report;
+    std::cout << told << " and job " << report << " for the report behind it\n";
   }
-  std::cout << "Submitted job " << cases << " with " << missing.size()
-            << (missing.size() == 1 ? " task" : " tasks") << " (" << joined(missing) << ") and job "
-            << report << " for the report behind it\n"
-            << "'squeue -j " << cases << ',' << report << "' shows them, their words go to "
-            << shown(folder) << std::endl;
+  std::cout << "'squeue -j " << jobs << "' shows them, their words go to " << shown(folder)
+            << std::endl;
   return 0;
 }
 

@@ -53,6 +53,7 @@ TEST(CalibrateSlurm, FindsWhatItFindsWithoutSlurm)
   Outcome design = calibrate_small(folder.path(), {"--out", "out", "--slurm"});
   ASSERT_EQ(design.exit_code, 0) << design.output;
   EXPECT_TRUE(design.says("with 10 tasks")) << design.output;
+  EXPECT_FALSE(design.says("for the report")) << design.output;
   EXPECT_TRUE(design.says("Submitted: when the jobs have ended, go on with --resume --slurm"))
       << design.output;
   wait_for_jobs();
