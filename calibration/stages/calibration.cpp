@@ -85,21 +85,23 @@ RunsEnd Calibration::run(RunProgram& program)
 
 void Calibration::add_known()
 {
-  std::vector<StoredPoint> points = store_.points();
+  std::vector<StoredPoint> points = store_.points(), added;
+  const int round = last_round(points);
   for (const Eigen::VectorXd& known : config_.known) {
     const bool there = std::any_of(points.begin(), points.end(), [&](const StoredPoint& one) {
       return one.stage == "known" && (one.point - known).norm() < same_point;
     });
     if (there) continue;
-    const StoredPoint added{0, "known", last_round(points), config_.design.repeats, known};
-    points.push_back(added);
-    const long needed = runs_for(points, rows_.size());
-    if (needed > config_.budget)
-      throw InputError("'budget' must leave room for the points of 'known', found " +
-                       std::to_string(config_.budget) + " where all are " + std::to_string(needed) +
-                       " runs, write a larger one");
-    store_.add_points({added});
+    added.push_back({0, "known", round, config_.design.repeats, known});
+    points.push_back(added.back());
   }
+  if (added.empty()) return;
+  const long needed = runs_for(points, rows_.size());
+  if (needed > config_.budget)
+    throw InputError("'budget' must leave room for the points of 'known', found " +
+                     std::to_string(config_.budget) + " where all are " + std::to_string(needed) +
+                     " runs, write a larger one");
+  store_.add_points(added);
 }
 
 RunsEnd Calibration::make_runs(RunProgram& program)

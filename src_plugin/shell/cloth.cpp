@@ -70,7 +70,9 @@ double Cloth::limit(int direction, const ClothFacet& facet, const FacetMemory& m
   const double table = curve_[direction].limit(memory.plastic_strain[direction]);
   if (!has_strength(direction)) return table;
   const double past = memory.plastic_strain[direction] - plastic_at_strength(direction, facet);
-  return std::min(table, strength(direction, facet) + hardening_[direction] * std::max(past, 0.0));
+  const double strength = this->strength(direction, facet);
+  return past < 0.0 || tears() ? std::min(table, strength)
+                               : strength + hardening_[direction] * past;
 }
 
 YieldLine Cloth::line(int direction, const ClothFacet& facet, const FacetMemory& memory) const
@@ -101,7 +103,7 @@ double Cloth::yield(int i, double tension, const ClothFacet& facet, FacetMemory&
     const double past = plastic - plastic_at_strength(i, facet);
     const double behind =
         (tension - strength - hardening_[i] * past) / (relaxation_[i] + hardening_[i]);
-    if (past + behind >= 0.0) growth = std::max(growth, behind);
+    if (past + behind >= 0.0) growth = std::max(behind, 0.0);
   }
   // Before it tears a strip has the plastic strain of its strength, no more.
   if (has_strength(i) && tears() && curve_[i].limit(plastic + growth) > strength)

@@ -177,6 +177,22 @@ TEST(Strip, HardensPastItsStrengthByTheGivenSlopeOfTensionOverStrain)
     }
 }
 
+// A table that is level where it has the strength does not keep the cloth from hardening there.
+TEST(Strip, HardensBehindATableThatEndsLevel)
+{
+  ShellConstants c = geotextile_of_table_3();
+  c.cloth.strip[0] = {{0.0, 0.0}, {0.02, 2300.0}, {0.06, 4300.0}, {0.10, 4300.0}};
+  c.cloth.strength = {4300.0, 9200.0};
+  c.cloth.after = AfterStrength::yield;
+  c.cloth.hardening = 10e3;
+  for (const int steps : {1, 10}) {
+    StripTest strip(c);
+    for (int n = 1; n <= steps; ++n) strip.pull_to(n * 0.16 / steps);
+    EXPECT_NEAR(strip.pull_to(0.16), 5300.0, 1e-7);
+    EXPECT_NEAR(strip.pull_to(0.26), 6300.0, 1e-7);
+  }
+}
+
 TEST(Strip, SplitsItsWorkIntoWhatIsStoredAndWhatIsDissipated)
 {
   ShellConstants c = geotextile_of_table_3();
