@@ -73,9 +73,11 @@ ClothConstants read_cloth(const Options& options)
                                    : AfterStrength::warn;
   const bool has_strength = options.has("strength");
   require_with(options, "after_strength", has_strength, "'strength'");
-  cloth.hardening = options.not_negative("hardening", 0.0);
-  require_with(options, "hardening", after == "yield" || cloth.hardening == 0.0,
-               "'after_strength yield'");
+  if (options.has("hardening")) {
+    cloth.hardening = options.not_negative("hardening", 0.0);
+    require_with(options, "hardening", after == "yield" || cloth.hardening == 0.0,
+                 "'after_strength yield'");
+  }
   require_with(options, "seam", has_strength, "'strength'");
   require_with(options, "seam_angle", options.has("seam"), "'seam'");
   if (options.has("fracture_energy") || after == "tear")
