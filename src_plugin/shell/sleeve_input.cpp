@@ -126,29 +126,14 @@ SleeveControl read_sleeve_control(const Options& options, const SleeveControl& n
 
 void require_changeable(const Options& options)
 {
-  for (const char* fixed : {"cylinder",
-                            "edge",
-                            "file",
-                            "type",
-                            "platens",
-                            "modulus",
-                            "poisson",
-                            "thickness",
-                            "bending_thickness",
-                            "density",
-                            "modulus_axial",
-                            "shear_modulus",
-                            "tension_only",
-                            "mass_scaling",
-                            "safety",
-                            "every",
-                            "strip",
-                            "strength",
-                            "after_strength",
-                            "hardening",
-                            "fracture_energy",
-                            "seam",
-                            "seam_angle"})
+  for (const char* fixed : {"cylinder",       "edge",          "file",
+                            "type",           "platens",       "modulus",
+                            "poisson",        "thickness",     "bending_thickness",
+                            "density",        "modulus_axial", "shear_modulus",
+                            "tension_only",   "mass_scaling",  "safety",
+                            "every",          "strip",         "strength",
+                            "after_strength", "hardening",     "fracture_energy",
+                            "seam",           "seam_angle"})
     if (options.has(fixed))
       throw InputError("'" + std::string(fixed) + "' cannot be changed by 'fix_modify', found '" +
                        std::string(fixed) + " " + joined(options.all(fixed).front()) +

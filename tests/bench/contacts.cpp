@@ -6,30 +6,23 @@
 //     build/src_plugin/libencase_kernels.a -o build/bin/bench_contacts   (one line)
 //   build/bin/bench_contacts
 //
-// With -DONE_BY_ONE the law takes one contact after the other, as the sleeve of a run does; else blocks of them.
+// With -DONE_BY_ONE the law takes one contact after the other, as the sleeve of a run does; else
+// blocks of them.
 #include "contact/contact_batch.h"
 #include "shell/cylinder_mesh.h"
 #include "shell/nearest_point.h"
 #include "shell/sleeve_contacts.h"
+#include "thread_time.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <random>
 #include <vector>
 
 using namespace encased_column;
 
 namespace {
-
-/// Processor time of this thread [ns]: what others take does not count.
-double now()
-{
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-}
 
 struct Grains {
   std::vector<double> x, radius;
@@ -126,9 +119,9 @@ int main()
     ++step;
     model.clear_loads();
     touching = 0;
-    const double before = now();
+    const double before = thread_time();
     contacts.resolve(model, true, grains, nullptr, law);
-    time.push_back(now() - before);
+    time.push_back(thread_time() - before);
   }
   Vec3 sum = Vec3::Zero();
   double size = 0.0;

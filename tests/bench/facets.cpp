@@ -7,25 +7,17 @@
 //   build/bin/bench_facets
 #include "shell/cylinder_mesh.h"
 #include "shell/shell_model.h"
+#include "thread_time.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <string>
 #include <vector>
 
 using namespace encased_column;
 
 namespace {
-
-/// Processor time of this thread [ns]: what others take does not count.
-double now()
-{
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-}
 
 ShellConstants constants_of(const std::string& kind)
 {
@@ -69,10 +61,10 @@ ShellModel model_in(const std::string& kind, const std::string& state)
 
 double nanoseconds(ShellModel& model)
 {
-  const double before = now();
+  const double before = thread_time();
   model.clear_loads();
   model.add_internal_loads(0, model.facets());
-  return (now() - before) / model.facets();
+  return (thread_time() - before) / model.facets();
 }
 
 double median(std::vector<double> values)
