@@ -55,6 +55,12 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
   int every() const { return settings_.every; }
   /// Finds unbalanced_ratio() again, with the forces as they are now.
   void compute_unbalanced_ratio();
+  /// Another local damping `alpha` [-] than that of the deck, until the next run begins.
+  void damp_run_with(double alpha)
+  {
+    complete_step();  // with the damping it was made with
+    motion_.damping = alpha;
+  }
   /// Inertial mass [kg] of grain i.
   double inertial_mass(int i) const { return mass_scaling.inertial_mass(i); }
   /// Work [J] of the local damping on all ranks since the fix was made.

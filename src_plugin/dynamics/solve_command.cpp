@@ -11,6 +11,7 @@
 #include "timer.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace encased_column {
 
@@ -21,6 +22,8 @@ const KeywordTable SolveCommand::keywords{
      "how often it is looked at, a multiple of the motion's `every` (default 200)"},
     {"max", 1, "steps", "after so many the run stops with an error (default 200000)"},
     {"least", 1, "steps", "at least so many are run (default 0)"},
+    {"damping", 1, "-",
+     "local damping alpha once `least` steps are run, 0 to 0.99 (default: the motion's)"},
 };
 
 namespace {
@@ -44,6 +47,7 @@ void SolveCommand::command(int narg, char** arg)
   std::string which;
   double limit = 0.0;
   long every = 0, max = 0, least = 0;
+  std::optional<double> damping;
   FixMotion* motion = nullptr;
   try {
     const Options options = keywords.read(narg, arg, 0);
@@ -55,6 +59,7 @@ void SolveCommand::command(int narg, char** arg)
     every = options.integer("every", 1, 200);
     max = options.integer("max", 1, 200000);
     least = options.integer("least", 0, 0);
+    if (options.has("damping")) damping = options.between("damping", 0.0, 0.99);
     if (least > max)
       throw InputError("'least' must not be larger than 'max', found " + std::to_string(least) +
                        " and " + std::to_string(max) + ", write a larger 'max'");
@@ -91,6 +96,9 @@ void SolveCommand::command(int narg, char** arg)
   double ratio = 1.0;
   bool is_reached = false;
   while (done < max && !is_stopped() && !is_reached) {
+    // At a look and not at `least` itself: a run that goes on from a restart file looks at the
+    // same.
+    if (damping && done >= least && update->ntimestep % every == 0) motion->damp_run_with(*damping);
     // Pieces end where the motion has just updated masses and ratios.
     const long piece = std::min(every - static_cast<long>(update->ntimestep % every), max - done);
     run_piece(piece);

@@ -168,6 +168,16 @@ solve ratio average 0
                  "'ratio' takes a limit larger than zero, found 0, write 'ratio average 1e-5'");
 }
 
+TEST(Solve, RefusesADampingThatLetsNothingMove)
+{
+  expect_refused("two_grains", R"(
+unfix move
+fix   move all motion
+solve ratio average 1e-5 damping 1
+)",
+                 "'damping' must be between 0 and 0.99, found 1, write for example 'damping 0.5'");
+}
+
 TEST(Solve, RefusesARatioItDoesNotKnow)
 {
   expect_refused(

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 using namespace encased_column::testing;
@@ -67,6 +68,36 @@ TEST(EndOfSolve, IsThatOfARun)
   // At the step of a look, and after it again.
   expect_the_same("thermo 100\ndump d all custom 100 d.* id x y z fx\nrestart 200 r.*\n");
   expect_the_same("variable when equal step+90\nthermo v_when\n");
+}
+
+// From the first look after `least` steps to the end; the next run has that of the motion again.
+TEST(EndOfSolve, WithADampingOfItsOwnIsThatOfRunsWithIt)
+{
+  const std::string falls = opening_deck("one_grain") + R"(
+unfix move
+fix   move all motion
+fix   weight all gravity 9.8 vector 0 0 -1
+fix   bottom all servo/platen position bottom z -0.01 area 0.01 type 2
+fix   pictures all output/grains every 100000 folder grains compress no
+thermo_style custom step ke f_move[1] f_move[5] f_bottom[2]
+)";
+  const std::string write = "fix_modify pictures write now\n";
+  const TemporaryFolder solved, run;
+  const Outcome a = run_deck(falls +
+                                 "solve ratio average 1e-6 every 50 least 75 damping 0.1\n"
+                                 "variable end equal step\nprint \"end ${end}\"\nrun 100\n" +
+                                 write,
+                             1, solved.path());
+  ASSERT_EQ(a.exit_code, 0) << a.output;
+  const double end = a.value("end");
+  ASSERT_GE(end, 200.0);
+  const Outcome b = run_deck(falls + "run 100\nfix_modify move damping 0.1\nrun " +
+                                 std::to_string(std::lround(end) - 100) +
+                                 "\nfix_modify move damping 0.7\nrun 100\n" + write,
+                             1, run.path());
+  ASSERT_EQ(b.exit_code, 0) << b.output;
+  EXPECT_EQ(table_of(a).back(), table_of(b).back());
+  EXPECT_EQ(files_of(solved.path()), files_of(run.path()));
 }
 
 TEST(EndOfSolve, SeesAGrainThatLeftInItsLastStep)
