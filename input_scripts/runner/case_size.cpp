@@ -15,8 +15,7 @@ namespace {
 double consolidation_steps(const CaseShape& shape)
 {
   const double decades = std::max(std::log10(0.1 / shape.limit), 0.5);
-  if (shape.friction_packing) return 8'000.0 + 4'000.0 * decades;
-  if (shape.platens_follow) return 8'000.0 + 1'000.0 * decades;
+  if (shape.friction_packing || shape.platens_follow) return 8'000.0 + 1'000.0 * decades;
   // Each decade takes longer than the one before (study_column, `paper`).
   return 125.0 * decades * decades * decades;
 }
