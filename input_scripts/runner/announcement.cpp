@@ -9,9 +9,9 @@ namespace encased_column {
 
 namespace {
 
-/// Tables, figures, page and pictures of one test take about this long [s]: six tests at `quick`
-/// took 2 minutes on 2 cores (README of the project).
-constexpr double seconds_of_pictures = 20.0;
+/// Tables, figures, page and pictures take about this long [s], and so much more for each test: six
+/// tests at `quick` took 32 s on 2 cores (README of the project), one took 26 s of one core.
+constexpr double seconds_of_pictures = 10.0, seconds_of_a_test = 4.0;
 
 double seconds_to_run(const std::vector<ExpectedCase>& cases, const Schedule& schedule, double rate)
 {
@@ -73,7 +73,8 @@ std::string announcement(const std::vector<ExpectedCase>& cases, const Schedule&
                  : "unknown, its speed cannot be measured";
   if (unknown && unknown < cases.size()) text += " without what is of unknown size";
   if (around.pictures)
-    text += ", then " + in_time(seconds_of_pictures * static_cast<double>(cases.size())) +
+    text += ", then " +
+            in_time(seconds_of_pictures + seconds_of_a_test * static_cast<double>(cases.size())) +
             " for tables and pictures";
   return text + "\nCtrl-C stops at any moment, the same command with --resume goes on\n";
 }

@@ -28,7 +28,7 @@ TEST(Announcement, TellsHowLongItTakesHere)
   EXPECT_EQ(announcement(cases, {1, 1}, 1e-7, {"runs/default", 5e9, true}),
             "2 tests of 10 000 to 20 000 grains; results go to runs/default, 80 MB of 5.0 GB that "
             "are free\n"
-            "Expected on this machine: 3 min (its speed was measured), then 40 s for tables and "
+            "Expected on this machine: 3 min (its speed was measured), then 18 s for tables and "
             "pictures\n"
             "Ctrl-C stops at any moment, the same command with --resume goes on\n");
 }
@@ -50,7 +50,7 @@ TEST(Announcement, OwnsThatASizeIsNotKnown)
   const std::vector<ExpectedCase> cases{{"own", std::nullopt, 0.0, ""}};
   EXPECT_EQ(announcement(cases, {1, 1}, std::nullopt, {"out", 5e9, true}),
             "1 test (1 of unknown size); results go to out, 5.0 GB are free there\n"
-            "Expected on this machine: unknown, then 20 s for tables and pictures\n"
+            "Expected on this machine: unknown, then 14 s for tables and pictures\n"
             "Ctrl-C stops at any moment, the same command with --resume goes on\n");
 }
 
