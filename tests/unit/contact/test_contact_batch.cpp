@@ -86,9 +86,10 @@ void expect_the_same(bool advance, bool dashpots = false)
       const double moment = std::max(one.moment_i.norm(), force * alone.touch[n].i.radius);
       EXPECT_LE((row.force(n) - one.force).norm(), 1e-12 * force);
       EXPECT_LE((row.moment_i(n) - one.moment_i).norm(), 1e-12 * moment);
-      EXPECT_LE(((alone.touch[n].is_wall() ? row.moment_on_wall(n) : row.moment_j(n)) - one.moment_j)
-                    .norm(),
-                1e-12 * moment);
+      EXPECT_LE(
+          ((alone.touch[n].is_wall() ? row.moment_on_wall(n) : row.moment_j(n)) - one.moment_j)
+              .norm(),
+          1e-12 * moment);
       EXPECT_NEAR(row.normal_force(n), one.normal_force, 1e-12 * force);
       EXPECT_NEAR(row.stored_energy(n), one.stored, 1e-12 * one.stored);
       EXPECT_NEAR(row.stiffness(n).normal, one.stiffness.normal, 1e-14 * one.stiffness.normal);
