@@ -27,7 +27,6 @@ struct CorotationalFrame {
   double inverse_trace;  ///< 1 / tr U [-]
   double inverse_area;   ///< 1 / area_ratio [-]
 
-  CorotationalFrame() = default;
   CorotationalFrame(const Vec3& g1, const Vec3& g2)
   {
     const Vec3 normal = g1.cross(g2);

@@ -3,7 +3,6 @@
 
 #include "core/vector_units.h"
 #include "shell/cloth_facets.h"
-#include "shell/corotational_frame.h"
 #include "shell/surface_mesh.h"
 
 #include <vector>
@@ -12,36 +11,6 @@ namespace encased_column {
 
 class ShellElement;
 class ShellMaterial;
-
-/// Frames side by side.
-template <int size>
-struct FrameRow {
-  VectorRow<size> e1, e2, e3, stretch;
-  double inverse_trace[size], inverse_area[size];
-
-  void set(int n, const CorotationalFrame& frame)
-  {
-    e1.set(n, frame.e1);
-    e2.set(n, frame.e2);
-    e3.set(n, frame.e3);
-    stretch.set(n, {frame.u11, frame.u22, frame.u12});
-    inverse_trace[n] = frame.inverse_trace;
-    inverse_area[n] = frame.inverse_area;
-  }
-  CorotationalFrame at(int n) const
-  {
-    CorotationalFrame frame;
-    frame.e1 = e1.at(n);
-    frame.e2 = e2.at(n);
-    frame.e3 = e3.at(n);
-    frame.u11 = stretch.x[n];
-    frame.u22 = stretch.y[n];
-    frame.u12 = stretch.z[n];
-    frame.inverse_trace = inverse_trace[n];
-    frame.inverse_area = inverse_area[n];
-    return frame;
-  }
-};
 
 /// The facets of a sleeve side by side, so that the vector units of the machine see to several at
 /// once: facet_loads() of each, for a membrane that bends and for any cloth.
@@ -92,15 +61,6 @@ class FacetBatches {
   double resolve_cloth_as(const Batch& batch, ClothRows& rows, int first, int last);
   template <bool bends, bool wrinkles, bool softens, Remembers remembers>
   double resolve_one_cloth(const Batch& batch, ClothRows& rows, const EvenStiffness& whole, int n);
-  /// The part of a strain that unloading gives back.
-  template <Remembers remembers>
-  static PlaneVector elastic_part(const PlaneVector& strain, const ClothRows& rows, int n);
-  template <Remembers remembers>
-  void find_elastic_strain(const Batch& batch, const ClothRows& rows, int n);
-  void relax(const EvenStiffness& whole, int n);
-  template <Remembers remembers>
-  void find_relaxed_forces(const Batch& batch, const ClothRows& rows, int first, int last);
-  CorotationalFrame frame_of(const Batch& batch, int n) const;
 
   std::vector<Batch> batches_;
   Mat3 membrane_;
@@ -110,10 +70,8 @@ class FacetBatches {
   /// Of the nodes of the batch at hand: in, then out.
   alignas(64) VectorRow<size> position_[3], director_[3], force_[3], moment_[3];
   // Of its facets:
-  alignas(64) FrameRow<size> frame_;
-  alignas(64) VectorRow<size> relaxed_;  ///< elastic strain, then the force it has
-  alignas(64) Numbers excess_[2];        ///< where none was before, as in ClothRows
-  alignas(64) ClothAnswers answers_;     ///< where they remember all
+  alignas(64) Numbers excess_[2];     ///< where none was before, as in ClothRows
+  alignas(64) ClothAnswers answers_;  ///< where they remember all
 };
 
 }  // namespace encased_column

@@ -22,11 +22,6 @@ struct FacetBatches::InBatch {
   double bending(int i, int j) const { return batch.bending[place(i, j)][n]; }
 };
 
-CorotationalFrame FacetBatches::frame_of(const Batch& batch, int n) const
-{
-  return frame_at(InBatch{batch, n}, {position_[0].at(n), position_[1].at(n), position_[2].at(n)});
-}
-
 // A function of its own: what is declared in the loop itself would stay in memory.
 double FacetBatches::resolve_one(const Batch& batch, int n)
 {
@@ -34,8 +29,9 @@ double FacetBatches::resolve_one(const Batch& batch, int n)
     return {strain, strain(0) * membrane_.col(0) + strain(1) * membrane_.col(1) +
                         strain(2) * membrane_.col(2)};
   };
+  const FacetVectors x{position_[0].at(n), position_[1].at(n), position_[2].at(n)};
   const FacetVectors d{director_[0].at(n), director_[1].at(n), director_[2].at(n)};
-  const FacetLoads loads = facet_loads<true>(InBatch{batch, n}, frame_of(batch, n), d, membrane);
+  const FacetLoads loads = facet_loads<true>(InBatch{batch, n}, x, d, membrane);
   for (int i = 0; i < 3; ++i) {
     force_[i].set(n, loads.force[i]);
     moment_[i].set(n, loads.moment[i]);
@@ -53,59 +49,23 @@ ENCASE_VECTOR_UNITS [[gnu::flatten]] double FacetBatches::resolve(const Batch& b
   return energy;
 }
 
-template <FacetBatches::Remembers remembers>
-PlaneVector FacetBatches::elastic_part(const PlaneVector& strain, const ClothRows& rows, int n)
-{
-  constexpr bool yields = remembers != Remembers::nothing, all = remembers == Remembers::all;
-  const double hoop = yields ? strain(0) - rows.plastic_strain[0][n] : strain(0);
-  const double axial = yields ? strain(1) - rows.plastic_strain[1][n] : strain(1);
-  return {hoop, axial, all ? strain(2) - rows.slip[n] : strain(2)};
-}
-
-template <FacetBatches::Remembers remembers>
-void FacetBatches::find_elastic_strain(const Batch& batch, const ClothRows& rows, int n)
-{
-  const CorotationalFrame frame = frame_of(batch, n);
-  frame_.set(n, frame);
-  relaxed_.set(n, elastic_part<remembers>(membrane_strain(frame), rows, n));
-}
-
-void FacetBatches::relax(const EvenStiffness& whole, int n)
-{
-  relaxed_.set(n, relaxed_force<true, true>(whole, relaxed_.at(n)));
-}
-
-// In a loop of its own the tension line of one facet need not wait for that of another: in the loop
-// of the loads the machine does not look so far ahead.
-template <FacetBatches::Remembers remembers>
-ENCASE_VECTOR_UNITS [[gnu::flatten]] void FacetBatches::find_relaxed_forces(const Batch& batch,
-                                                                            const ClothRows& rows,
-                                                                            int first, int last)
-{
-#pragma omp simd
-  for (int n = first; n < last; ++n) find_elastic_strain<remembers>(batch, rows, n);
-  const EvenStiffness whole = cloth_.whole();
-#pragma omp simd
-  for (int n = first; n < last; ++n) relax(whole, n);
-}
-
 template <bool bends, bool wrinkles, bool softens, FacetBatches::Remembers remembers>
 double FacetBatches::resolve_one_cloth(const Batch& batch, ClothRows& rows,
                                        const EvenStiffness& whole, int n)
 {
   constexpr bool yields = remembers != Remembers::nothing, all = remembers == Remembers::all;
-  constexpr bool in_place = remembers == Remembers::growing, is_found = wrinkles && softens;
   const double left = all ? rows.left[n] : 1.0;
   // Number by number: copies of vectors would stay in memory.
   const auto membrane = [&](const PlaneVector& strain) -> MembraneAnswer {
-    const PlaneVector elastic = elastic_part<remembers>(strain, rows, n);
-    const PlaneVector force =
-        is_found ? PlaneVector(relaxed_.at(n)) : relaxed_force<wrinkles, softens>(whole, elastic);
+    const double hoop = yields ? strain(0) - rows.plastic_strain[0][n] : strain(0);
+    const double axial = yields ? strain(1) - rows.plastic_strain[1][n] : strain(1);
+    const double shear = all ? strain(2) - rows.slip[n] : strain(2);
+    const PlaneVector force = relaxed_force<wrinkles, softens>(whole, {hoop, axial, shear});
     const double force_hoop = all ? left * force(0) : force(0);
     const double force_axial = all ? left * force(1) : force(1);
     const double force_shear = all ? left * force(2) : force(2);
     if constexpr (yields) {
-      auto& excess = in_place ? rows.excess : excess_;
+      auto& excess = remembers == Remembers::growing ? rows.excess : excess_;
       excess[0][n] = positive_part(force_hoop - rows.limit[0][n]);
       excess[1][n] = positive_part(force_axial - rows.limit[1][n]);
     }
@@ -113,13 +73,13 @@ double FacetBatches::resolve_one_cloth(const Batch& batch, ClothRows& rows,
       answers_.force[0][n] = force_hoop;
       answers_.force[1][n] = force_axial;
       answers_.force[2][n] = force_shear;
-      answers_.elastic_shear[n] = elastic(2);
+      answers_.elastic_shear[n] = shear;
     }
-    return {{elastic(0), elastic(1), elastic(2)}, {force_hoop, force_axial, force_shear}};
+    return {{hoop, axial, shear}, {force_hoop, force_axial, force_shear}};
   };
+  const FacetVectors x{position_[0].at(n), position_[1].at(n), position_[2].at(n)};
   const FacetVectors d{director_[0].at(n), director_[1].at(n), director_[2].at(n)};
-  const CorotationalFrame frame = is_found ? frame_.at(n) : frame_of(batch, n);
-  const FacetLoads loads = facet_loads<bends>(InBatch{batch, n, left}, frame, d, membrane);
+  const FacetLoads loads = facet_loads<bends>(InBatch{batch, n, left}, x, d, membrane);
   if constexpr (all) answers_.energy[n] = loads.energy;
   for (int i = 0; i < 3; ++i) {
     force_[i].set(n, loads.force[i]);
@@ -136,7 +96,6 @@ ENCASE_VECTOR_UNITS [[gnu::flatten]] double FacetBatches::resolve_cloth_as(const
   const EvenStiffness whole = cloth_.whole();
   constexpr bool grows = remembers == Remembers::growing, yields = remembers != Remembers::nothing;
   double energy = 0.0, excess = 0.0, taken = 0.0, leaving = 0.0;
-  if constexpr (wrinkles && softens) find_relaxed_forces<remembers>(batch, rows, first, last);
 #pragma omp simd reduction(+ : energy, excess, taken, leaving)
   for (int n = first; n < last; ++n) {
     if constexpr (grows) taken += batch.area[n] * (rows.grow(0, n) + rows.grow(1, n));
@@ -149,7 +108,7 @@ ENCASE_VECTOR_UNITS [[gnu::flatten]] double FacetBatches::resolve_cloth_as(const
     }
   }
   if constexpr (yields && !grows)
-    if (excess > 0.0 || rows.yields)  // else they are zero there, too
+    if (excess > 0.0 || rows.yields)  // else the rows have zeros, too
       for (int i = 0; i < 2; ++i)
         std::copy(excess_[i] + first, excess_[i] + last, rows.excess[i] + first);
   rows.yields = excess > 0.0 || (rows.yields && last - first < size);
@@ -166,17 +125,16 @@ double FacetBatches::resolve_cloth_kind(const Batch& batch, int number, int firs
   ClothRows& rows = cloth_.rows(number);
   if (!cloth_.remembers())
     return resolve_cloth_as<bends, wrinkles, softens, Remembers::nothing>(batch, rows, first, last);
-  constexpr bool in_the_loop = !(wrinkles && softens);  // of the loads, which is the cheapest
   const bool grows = rows.yields && !at_set_up;
   double energy = 0.0;
-  if (grows && (rows.torn || !in_the_loop)) cloth_.grow(number, first, last);
-  if (!rows.torn) {
-    if (in_the_loop && grows)
-      energy = resolve_cloth_as < bends, wrinkles, softens,
-      in_the_loop ? Remembers::growing : Remembers::plastic_strain > (batch, rows, first, last);
-    else
-      energy = resolve_cloth_as<bends, wrinkles, softens, Remembers::plastic_strain>(batch, rows,
-                                                                                     first, last);
+  if (rows.torn) {
+    if (grows) cloth_.grow(number, first, last);
+  } else if (grows) {
+    energy =
+        resolve_cloth_as<bends, wrinkles, softens, Remembers::growing>(batch, rows, first, last);
+  } else {
+    energy = resolve_cloth_as<bends, wrinkles, softens, Remembers::plastic_strain>(batch, rows,
+                                                                                   first, last);
   }
   // Again where somebody has to tell how it stands: the loads come out the same.
   if (rows.torn || must_ask_) {

@@ -44,14 +44,15 @@ CorotationalFrame frame_at(const Reference& facet, const FacetVectors& x)
           facet.gradient(1, 1) * a + facet.gradient(1, 2) * b};
 }
 
-/// Forces, moments and energy in the frame_at() the nodes, with directors `d` (the facet's
-/// reference normal as each node has turned it): minus the exact gradient of the energy stored.
-/// `membrane` gives the MembraneAnswer to a strain. Reference is FacetReference or reads like it.
-/// Without branches and calls, so that facets fit side by side into vector units.
+/// Forces, moments and energy at node positions `x` [m] and directors `d` (the facet's reference
+/// normal as each node has turned it): minus the exact gradient of the energy stored. `membrane`
+/// gives the MembraneAnswer to a strain. Reference is FacetReference or reads like it. Without
+/// branches and calls, so that facets fit side by side into vector units.
 template <bool bends, typename Reference, typename Membrane>
-FacetLoads facet_loads(const Reference& facet, const CorotationalFrame& frame,
-                       const FacetVectors& d, const Membrane& membrane)
+FacetLoads facet_loads(const Reference& facet, const FacetVectors& x, const FacetVectors& d,
+                       const Membrane& membrane)
 {
+  const CorotationalFrame frame = frame_at(facet, x);
   const MembraneAnswer answer = membrane(membrane_strain(frame));
   const MembranePull pull(frame, answer.force);
   Vec3 p1 = facet.area * pull.p1, p2 = facet.area * pull.p2;

@@ -67,9 +67,8 @@ FacetLoads ShellElement::loads(const ShellMaterial& material, const FacetVectors
   };
   FacetReference reference = reference_;
   reference.bending_left = memory.left();
-  return material.bends()
-             ? facet_loads<true>(reference, frame_at(reference, x), director, membrane)
-             : facet_loads<false>(reference, frame_at(reference, x), director, membrane);
+  return material.bends() ? facet_loads<true>(reference, x, director, membrane)
+                          : facet_loads<false>(reference, x, director, membrane);
 }
 
 FacetState ShellElement::state(const ShellMaterial& material, const FacetVectors& x,
