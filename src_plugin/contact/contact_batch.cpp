@@ -26,7 +26,7 @@ template <bool dashpots, bool advance>
     const double apart_square = ax * ax + ay * ay + az * az;
     const double distance = std::sqrt(apart_square);
     // A first touch is as small as round-off, which must neither pull nor divide zero by zero.
-    const double overlap = length > distance ? length - distance : 0.0;
+    const double overlap = (length > distance ? length - distance : 0.0) + more_[n];
     // One division for all three: the vector units take longest over those.
     const double product = 1.0 / (distance * length * ratio_[n]);
     const double near = product * length * ratio_[n];

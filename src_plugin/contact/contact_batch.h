@@ -20,10 +20,12 @@ class ContactBatch {
 
   /// A contact of body `i` and body `j`, from whose center to whose it is `apart` [m], that counts
   /// by `share`; a wall has the radius zero, and `apart` ends on its surface. `mass` [kg] is that
-  /// of the pair, in all contacts of a batch or, without dashpots, zero in all.
+  /// of the pair, in all contacts of a batch or, without dashpots, zero in all. They overlap by
+  /// `more` [m] than `apart` tells: so may a wall that gives way, by more than a radius.
   [[gnu::always_inline]] void add(int i, int j, double share, const ContactMaterial& material,
                                   const Vec3& apart, const ContactBody& body_i,
-                                  const ContactBody& body_j, double mass, double* memory)
+                                  const ContactBody& body_j, double mass, double* memory,
+                                  double more = 0.0)
   {
     const int n = count_++;
     i_[n] = i;
@@ -40,6 +42,7 @@ class ContactBatch {
       spring_[a][n] = memory[a];
     }
     seen_[n] = memory[3];
+    more_[n] = more;
     radius_i_[n] = body_i.radius;
     radius_j_[n] = body_j.radius;
     modulus_[n] = material.modulus;
@@ -73,6 +76,8 @@ class ContactBatch {
   {
     return contact_arm(radius_j_[n], overlap_[n]) * twist(n);
   }
+  /// On a wall, about the contact [N m].
+  Vec3 moment_on_wall(int) const { return Vec3::Zero(); }
   double normal_force(int n) const { return normal_force_[n]; }
   ContactStiffness stiffness(int n) const { return {normal_stiffness_[n], shear_stiffness_[n]}; }
   /// Writes what the contacts remember.
@@ -112,7 +117,7 @@ class ContactBatch {
   int i_[size], j_[size];
   double* memory_[size];
   alignas(64) Numbers normal_[3];  ///< `apart` until resolve()
-  Numbers velocity_[3], rolled_[3], spin_[3], spring_[3], seen_;
+  Numbers velocity_[3], rolled_[3], spin_[3], spring_[3], seen_, more_;
   Numbers radius_i_, radius_j_, modulus_, ratio_, friction_, share_;
   Numbers mass_, damping_normal_, damping_shear_;
   Numbers cosine_, sine_;  ///< of half the turn about the normal

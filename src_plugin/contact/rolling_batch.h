@@ -11,10 +11,11 @@ class RollingBatch : public ContactBatch {
  public:
   [[gnu::always_inline]] void add(int i, int j, double share, const ContactMaterial& material,
                                   const Vec3& apart, const ContactBody& body_i,
-                                  const ContactBody& body_j, double mass, double* memory)
+                                  const ContactBody& body_j, double mass, double* memory,
+                                  double more = 0.0)
   {
     const int n = count_;
-    ContactBatch::add(i, j, share, material, apart, body_i, body_j, mass, memory);
+    ContactBatch::add(i, j, share, material, apart, body_i, body_j, mass, memory, more);
     turning_.set(n, body_i.spin - body_j.spin);
     torque_.set(n, {memory[memory_size], memory[memory_size + 1], memory[memory_size + 2]});
     rolling_friction_[n] = material.rolling_friction;
@@ -32,6 +33,7 @@ class RollingBatch : public ContactBatch {
   double rolling_loss() const { return rolling_loss_; }
   Vec3 moment_i(int n) const { return ContactBatch::moment_i(n) - torque_.at(n); }  ///< [N m]
   Vec3 moment_j(int n) const { return ContactBatch::moment_j(n) + torque_.at(n); }  ///< [N m]
+  Vec3 moment_on_wall(int n) const { return torque_.at(n); }                        ///< [N m]
   double stored_energy(int n) const                                                 ///< [J]
   {
     return ContactBatch::stored_energy(n) +

@@ -3,6 +3,7 @@
 
 #include "shell/cloth.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace encased_column {
@@ -15,14 +16,20 @@ constexpr int facets_in_batch = 32;
 /// branches, for the vector units.
 struct alignas(64) ClothRows {
   using Numbers = double[facets_in_batch];
-  Numbers plastic_strain[2];
+  bool torn = false;    ///< some facet has damage
+  bool yields = false;  ///< some facet has an excess
+  alignas(64) Numbers plastic_strain[2];
   Numbers limit[2];   ///< force above which the facet yields or is looked at [N/m]
   Numbers excess[2];  ///< of the force last found above it [N/m]
   Numbers start[2], slope[2], end[2], rate[2];  ///< the limit is start + slope times plastic strain
   Numbers left;                                 ///< of its stiffness [-]
   Numbers slip;                                 ///< [-]
-  bool torn = false;                            ///< some facet has damage
-  bool yields = false;                          ///< some facet has an excess
+
+  /// Bytes from the first on that a step looks at.
+  std::size_t in_use() const
+  {
+    return torn || yields ? sizeof(ClothRows) : offsetof(ClothRows, start);
+  }
 
   double limit_at(int i, int n, double plastic) const
   {

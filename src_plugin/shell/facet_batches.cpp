@@ -9,14 +9,12 @@ namespace encased_column {
 
 namespace {
 
-/// Fetches one of 32 parts of something large into the cache.
-template <typename Large>
-void fetch(const Large& large, int part)
+/// Fetches one of 32 parts of the first `bytes` of something large into the cache.
+void fetch(const void* large, std::size_t bytes, int part)
 {
-  constexpr int line = 64;  // bytes
-  constexpr int parts = facets_in_batch;
-  for (std::size_t at = part * line; at < sizeof(Large); at += parts * line)
-    __builtin_prefetch(reinterpret_cast<const char*>(&large) + at);
+  constexpr std::size_t line = 64;  // bytes
+  for (std::size_t at = part * line; at < bytes; at += facets_in_batch * line)
+    __builtin_prefetch(static_cast<const char*>(large) + at);
 }
 
 }  // namespace
@@ -51,10 +49,14 @@ double FacetBatches::add_loads(int first, int last, bool at_set_up, const Vec3* 
   for (int f = first; f < last;) {
     const Batch& batch = batches_[f / size];
     const int begin = f % size, end = std::min(size, begin + last - f);
-    const bool is_last = f / size + 1 == static_cast<int>(batches_.size());
+    const int next = f / size + 1;
+    const bool is_last = next == static_cast<int>(batches_.size());
     for (int n = begin; n < end; ++n) {
       // The batches lie in a long row that does not stay in the cache from step to step.
-      if (!is_last) fetch(batches_[f / size + 1], n);
+      if (!is_last) {
+        fetch(&batches_[next], sizeof(Batch), n);
+        if (cloth_.remembers()) fetch(&cloth_.rows(next), cloth_.rows(next).in_use(), n);
+      }
       for (int i = 0; i < 3; ++i) {
         const int node = batch.node[n][i];
         position_[i].set(n, position[node]);

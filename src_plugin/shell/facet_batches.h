@@ -69,7 +69,9 @@ class FacetBatches {
   bool must_ask_ = false;  ///< some facet of the batch at hand, see ClothFacets
   /// Of the nodes of the batch at hand: in, then out.
   alignas(64) VectorRow<size> position_[3], director_[3], force_[3], moment_[3];
-  alignas(64) ClothAnswers answers_;  ///< of its facets, where they remember all
+  // Of its facets:
+  alignas(64) Numbers excess_[2];     ///< where none was before, as in ClothRows
+  alignas(64) ClothAnswers answers_;  ///< where they remember all
 };
 
 }  // namespace encased_column

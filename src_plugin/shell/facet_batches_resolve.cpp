@@ -7,6 +7,8 @@
 #include "shell/facet_batches.h"
 #include "shell/facet_loads.h"
 
+#include <algorithm>
+
 namespace encased_column {
 
 /// A facet of a batch, read like a FacetReference.
@@ -63,8 +65,9 @@ double FacetBatches::resolve_one_cloth(const Batch& batch, ClothRows& rows,
     const double force_axial = all ? left * force(1) : force(1);
     const double force_shear = all ? left * force(2) : force(2);
     if constexpr (yields) {
-      rows.excess[0][n] = positive_part(force_hoop - rows.limit[0][n]);
-      rows.excess[1][n] = positive_part(force_axial - rows.limit[1][n]);
+      auto& excess = remembers == Remembers::growing ? rows.excess : excess_;
+      excess[0][n] = positive_part(force_hoop - rows.limit[0][n]);
+      excess[1][n] = positive_part(force_axial - rows.limit[1][n]);
     }
     if constexpr (all) {
       answers_.force[0][n] = force_hoop;
@@ -91,15 +94,23 @@ ENCASE_VECTOR_UNITS [[gnu::flatten]] double FacetBatches::resolve_cloth_as(const
                                                                            int first, int last)
 {
   const EvenStiffness whole = cloth_.whole();
-  constexpr bool grows = remembers == Remembers::growing;
+  constexpr bool grows = remembers == Remembers::growing, yields = remembers != Remembers::nothing;
   double energy = 0.0, excess = 0.0, taken = 0.0, leaving = 0.0;
 #pragma omp simd reduction(+ : energy, excess, taken, leaving)
   for (int n = first; n < last; ++n) {
     if constexpr (grows) taken += batch.area[n] * (rows.grow(0, n) + rows.grow(1, n));
     energy += resolve_one_cloth<bends, wrinkles, softens, remembers>(batch, rows, whole, n);
-    if constexpr (remembers != Remembers::nothing) excess += rows.excess[0][n] + rows.excess[1][n];
-    if constexpr (grows) leaving += rows.leaves_its_line(n) ? 1.0 : 0.0;
+    if constexpr (grows) {
+      excess += rows.excess[0][n] + rows.excess[1][n];
+      leaving += rows.leaves_its_line(n) ? 1.0 : 0.0;
+    } else if constexpr (yields) {
+      excess += excess_[0][n] + excess_[1][n];
+    }
   }
+  if constexpr (yields && !grows)
+    if (excess > 0.0 || rows.yields)  // else the rows have zeros, too
+      for (int i = 0; i < 2; ++i)
+        std::copy(excess_[i] + first, excess_[i] + last, rows.excess[i] + first);
   rows.yields = excess > 0.0 || (rows.yields && last - first < size);
   if constexpr (grows) cloth_.dissipate(taken);
   // Few batches yield: of the others it is found by itself where one begins to.

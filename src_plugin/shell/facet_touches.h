@@ -49,12 +49,10 @@ class FacetTouches {
   /// where the center lies in the facet.
   double side(int p) const { return tile_of(p).side[p % size]; }
   Vec3 weight(int p) const { return tile_of(p).weight.at(p % size); }
+  Vec3 direction(int p) const { return tile_of(p).direction.at(p % size); }
   Vec3 center(int p) const { return tile_of(p).center.at(p % size); }
   double radius(int p) const { return tile_of(p).radius[p % size]; }
-  FacetTouch touch(int p) const
-  {
-    return {facet_[p], weight(p), tile_of(p).direction.at(p % size), -gap(p), 0.0, 0.0};
-  }
+  FacetTouch touch(int p) const { return {facet_[p], weight(p), direction(p), -gap(p), 0.0, 0.0}; }
 
   /// Puts pair `from` in the place `to`, which is not behind it.
   void move(int from, int to);

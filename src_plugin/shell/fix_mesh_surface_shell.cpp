@@ -120,9 +120,9 @@ void FixMeshSurfaceShell::take_loads(bool at_set_up)
                                   neighbor->skin));
   if (!sleeve_->has_grains_near()) return;
   if (rolling_)
-    press<true>(!at_set_up);
+    press(rolling_batch_, !at_set_up);
   else
-    press<false>(!at_set_up);
+    press(batch_, !at_set_up);
 }
 
 namespace {
@@ -139,27 +139,33 @@ struct GrainsOfGroup {
 
 }  // namespace
 
-template <bool rolling>
-void FixMeshSurfaceShell::press(bool advance_memory)
+template <typename Batch>
+void FixMeshSurfaceShell::press(Batch& batch, bool advance_memory)
 {
-  const double step = static_cast<double>(update->ntimestep);
+  static_assert(Batch::size >= SleeveContacts::in_block);
   const GrainArrays grains(atom);
-  const auto law = [&](const SleeveContact& contact) -> SleeveReaction {
-    const int i = contact.grain;
-    const Touch touch{contact.merged.overlap,
-                      contact.merged.normal,
-                      grains.mass[i],
-                      {grains.radius[i], as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)},
-                      {0.0, contact.surface.velocity, contact.surface.spin}};
-    const ContactAction action = resolve_contact<rolling>(
-        stiffened(context_.material(grains.type[i], type_), contact.merged), touch, update->dt,
-        step, advance_memory, contact_memory(contact.n));
-    context_.raise_mass_for_contact(i, action.stiffness);
-    as_vec3(grains.force + 3 * i) += action.force;
-    as_vec3(grains.moment + 3 * i) += action.moment_i;
-    context_.book(i, -1, 1.0, advance_memory, touch, action);
-    return {action.normal_force, action.force, action.moment_j,
-            std::max(action.stiffness.normal, action.stiffness.shear)};
+  const auto law = [&](const SleeveContact* contacts, int count, SleeveReaction* reactions) {
+    for (int n = 0; n < count; ++n) {
+      const SleeveContact& contact = contacts[n];
+      const int i = contact.grain;
+      const double radius = grains.radius[i];
+      batch.add(i, -1, 1.0, stiffened(context_.material(grains.type[i], type_), contact.merged),
+                radius * contact.merged.normal,
+                {radius, as_vec3(grains.v + 3 * i), as_vec3(grains.omega + 3 * i)}, contact.body(),
+                context_.has_dashpots() ? grains.mass[i] : 0.0, contact_memory(contact.n),
+                contact.merged.overlap);
+    }
+    context_.resolve(batch, advance_memory);
+    for (int n = 0; n < count; ++n) {
+      const int i = batch.i(n);
+      const ContactStiffness stiffness = batch.stiffness(n);
+      context_.raise_mass_for_contact(i, stiffness);
+      as_vec3(grains.force + 3 * i) += batch.force(n);
+      as_vec3(grains.moment + 3 * i) += batch.moment_i(n);
+      reactions[n] = {batch.normal_force(n), batch.force(n), batch.moment_on_wall(n),
+                      std::max(stiffness.normal, stiffness.shear)};
+    }
+    batch.clear();
   };
   const GrainsOfGroup group{grains.x, grains.radius, atom->mask, groupbit};
   if (const auto behind = sleeve_->press_grains(group, law))

@@ -80,8 +80,8 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
   SleeveStep step_now() const { return {update->ntimestep, update->dt}; }
   void read_pressure(const Options& options);
   void take_loads(bool at_set_up);
-  template <bool rolling>
-  void press(bool advance_memory);
+  template <typename Batch>
+  void press(Batch& batch, bool advance_memory);
   void finish_loads();
 
   PlatensOfDeck platens_;
@@ -90,6 +90,8 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
   bool rolling_ = false;
   std::unique_ptr<Sleeve> sleeve_;
   ContactContext context_;
+  ContactBatch batch_;
+  RollingBatch rolling_batch_;
 };
 
 }  // namespace encased_column

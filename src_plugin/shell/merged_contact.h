@@ -48,28 +48,27 @@ inline MergedContact merge_touches(std::vector<FacetTouch>& touches)
   }
   double deepest = 0.0;
   for (const FacetTouch& t : touches) deepest = std::max(deepest, t.overlap);
-  const auto eighth_power = [](double x) {
-    const double square = x * x, fourth = square * square;
-    return fourth * fourth;
-  };
-  double sum = 0.0;
-  for (const FacetTouch& t : touches) sum += eighth_power(t.overlap / deepest);
-  const double overlap = deepest * std::sqrt(std::sqrt(std::sqrt(sum)));
-
+  // With u_i = (o_i / deepest)^7 in place of w_i no root of the sum of eighth powers is needed but
+  // for the stiffness, and no division for each facet.
+  const double inverse = 1.0 / deepest;
+  double sum = 0.0, weights = 0.0;
   Vec3 gradient = Vec3::Zero();
-  double weights = 0.0;
   for (FacetTouch& t : touches) {
-    const double ratio = t.overlap / overlap;
-    t.share = ratio > 0.0 ? eighth_power(ratio) / ratio : 0.0;
-    weights += t.share;
-    gradient += t.share * t.direction;
+    const double ratio = inverse * t.overlap, square = ratio * ratio, cube = square * ratio;
+    t.pull = cube * cube * ratio;
+    sum += t.pull * ratio;
+    weights += t.pull;
+    gradient += t.pull * t.direction;
   }
   const double length = gradient.norm();
+  const double of_all = 1.0 / (length * weights * sum);
+  const double by_length = of_all * weights * sum, by_weights = of_all * length * sum;
   for (FacetTouch& t : touches) {
-    t.pull = t.share / length;
-    t.share /= weights;
+    t.share = by_weights * t.pull;
+    t.pull *= by_length;
   }
-  return {overlap / length, gradient / length, length * length};
+  const double bend = length * (of_all * length * weights);  // g is this times sum^(1/8)
+  return {deepest * sum * by_length, by_length * gradient, bend * bend * std::sqrt(std::sqrt(sum))};
 }
 
 /// The material of the one contact that merged touches make: stiffer along the normal; its shear

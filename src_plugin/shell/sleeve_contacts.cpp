@@ -132,7 +132,11 @@ std::optional<GrainBehind> SleeveContacts::find_contacts()
     if (pairs.last == pairs.first) continue;
     const int grain = grain_[look.n];
     if (is_behind(pairs)) return GrainBehind{grain, touches_.facet(pairs.first)};
-    contact_[contacts_] = {look.n, grain, merge(pairs), {}};
+    SleeveContact& contact = contact_[contacts_];
+    contact.n = look.n;
+    contact.grain = grain;
+    contact.surface = {};
+    merge(pairs, contact.merged);
     pairs_[contacts_++] = pairs;
   }
   touches_.keep_first(kept);
@@ -144,6 +148,7 @@ std::optional<GrainBehind> SleeveContacts::find_contacts()
 // A center in the surface has no direction and counts as behind.
 bool SleeveContacts::is_behind(const Pairs& pairs) const
 {
+  if (pairs.last == pairs.first + 1) return !(touches_.side(pairs.first) > 0.0);  // most of them
   double nearest = 0.0, side = 0.0;
   for (int p = pairs.first; p < pairs.last; ++p) nearest = std::min(nearest, touches_.gap(p));
   for (int p = pairs.first; p < pairs.last; ++p) {
@@ -153,37 +158,37 @@ bool SleeveContacts::is_behind(const Pairs& pairs) const
   return !(side > 0.0);
 }
 
-MergedContact SleeveContacts::merge(const Pairs& pairs)
+void SleeveContacts::merge(const Pairs& pairs, MergedContact& merged)
 {
   const int first = pairs.first;
-  const Vec3 center = touches_.center(first);
-  const auto point_of = [&](const MergedContact& merged) -> Vec3 {
-    return center + contact_arm(touches_.radius(first), merged.overlap) * merged.normal;
-  };
-  if (pairs.last == first + 1) {  // most of them
-    const FacetTouch touch = touches_.touch(first);
-    const MergedContact alone{touch.overlap, touch.direction, 1.0};
-    touches_.join(first, 1.0, 1.0, point_of(alone));
-    return alone;
+  if (pairs.last == first + 1) {
+    merged.overlap = -touches_.gap(first);
+    merged.normal = touches_.direction(first);
+    merged.stiffening = 1.0;
+  } else {
+    merged_.clear();
+    for (int p = first; p < pairs.last; ++p) merged_.push_back(touches_.touch(p));
+    merged = merge_touches(merged_);
   }
-  merged_.clear();
-  for (int p = first; p < pairs.last; ++p) merged_.push_back(touches_.touch(p));
-  const MergedContact merged = merge_touches(merged_);
-  const Vec3 point = point_of(merged);
+  const double arm = contact_arm(touches_.radius(first), merged.overlap);
+  const Vec3 point = touches_.center(first) + arm * merged.normal;
+  if (pairs.last == first + 1) return touches_.join(first, 1.0, 1.0, point);
   for (int p = first; p < pairs.last; ++p)
     touches_.join(p, merged_[p - first].pull, merged_[p - first].share, point);
-  return merged;
 }
 
 void SleeveContacts::find_motion(int count, const ShellModel& model)
 {
   touches_.find_motion(pairs_[count - 1].last, model.velocity());
-  for (int c = 0; c < count; ++c)
-    for (int p = pairs_[c].first; p < pairs_[c].last; ++p) {
+  for (int c = 0; c < count; ++c) {
+    SurfaceMotion sum = touches_.motion(pairs_[c].first);
+    for (int p = pairs_[c].first + 1; p < pairs_[c].last; ++p) {
       const SurfaceMotion motion = touches_.motion(p);
-      contact_[c].surface.velocity += motion.velocity;
-      contact_[c].surface.spin += motion.spin;
+      sum.velocity += motion.velocity;
+      sum.spin += motion.spin;
     }
+    contact_[c].surface = sum;
+  }
 }
 
 void SleeveContacts::take_reactions(int count, ShellModel& model, bool moves,

@@ -143,7 +143,7 @@ class SleeveContacts {
   void take_gaps(const Look& look);
   std::optional<GrainBehind> find_contacts();
   bool is_behind(const Pairs& pairs) const;
-  MergedContact merge(const Pairs& pairs);
+  void merge(const Pairs& pairs, MergedContact& merged);
   void find_motion(int count, const ShellModel& model);
   void take_reactions(int count, ShellModel& model, bool moves, std::vector<StiffnessBound>* bound);
   void forget(int count);

@@ -6,8 +6,7 @@
 //     build/src_plugin/libencase_kernels.a -o build/bin/bench_contacts   (one line)
 //   build/bin/bench_contacts
 //
-// With -DONE_BY_ONE the law takes one contact after the other, as the sleeve of a run does; else
-// blocks of them.
+// With -DONE_BY_ONE the law takes one contact after the other; else blocks of them, as in a run.
 #include "contact/contact_batch.h"
 #include "shell/cylinder_mesh.h"
 #include "shell/nearest_point.h"
@@ -102,9 +101,8 @@ int main()
     for (int n = 0; n < number; ++n) {
       const double radius = grains.radius[contact[n].grain];
       batch.add(contact[n].grain, -1, 1.0, stiffened(material, contact[n].merged),
-                (radius - contact[n].merged.overlap) * contact[n].merged.normal,
-                {radius, Vec3::Zero(), Vec3::Zero()}, contact[n].body(), 0.0,
-                &memory[4 * contact[n].n]);
+                radius * contact[n].merged.normal, {radius, Vec3::Zero(), Vec3::Zero()},
+                contact[n].body(), 0.0, &memory[4 * contact[n].n], contact[n].merged.overlap);
     }
     batch.resolve(1e-6, static_cast<double>(step), true);
     batch.keep(static_cast<double>(step));
