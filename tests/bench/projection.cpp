@@ -76,6 +76,20 @@ StepParts read_parts(const char* file)
   return parts;
 }
 
+/// NAME=VALUE
+void change(StepParts& parts, const std::string& word)
+{
+  const auto sign = std::min(word.find('='), word.size());
+  for (const Part& part : parts_of_file)
+    if (word.substr(0, sign) == part.name) {
+      parts.*part.value = std::atof(word.c_str() + std::min(sign + 1, word.size()));
+      return;
+    }
+  std::fprintf(stderr, "projection: found '%s', write NAME=VALUE with a name of the file\n",
+               word.c_str());
+  std::exit(1);
+}
+
 /// The largest of what ranks do not divide.
 const char* limit_of(const StepTime& t)
 {
@@ -90,26 +104,27 @@ const char* limit_of(const StepTime& t)
 
 int main(int count, char** word)
 {
-  if (count != 2) {
+  if (count < 2) {
     std::fprintf(stderr, "projection: write the file of parts, tests/bench/projection.csv\n");
     return 1;
   }
-  const StepParts parts = read_parts(word[1]);
+  StepParts parts = read_parts(word[1]);
+  for (int n = 2; n < count; ++n) change(parts, word[n]);
   std::printf(
-      "grains,ranks,grains a rank,ghosts a rank,grains [ms],lists [ms],ghosts [ms],small sums "
-      "[ms],sleeve divided [ms],sleeve's nodes [ms],sleeve's sum [ms],step "
-      "[ms],speed-up,efficiency,"
-      "largest of what is not divided\n");
+      "| grains | ranks | ghosts a rank | contacts, motion, walls | lists | ghosts | small sums | "
+      "sleeve, divided | sleeve, repeated | its sum | step [ms] | speed-up | largest of what is "
+      "not "
+      "divided |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const double grains : {54e3, 1e6, 10e6}) {
     const double alone = time_of_step(grains, 1, parts).all();
-    for (int ranks = 1; ranks <= 1024; ranks *= 2) {
+    for (const int ranks : {1, 4, 16, 64, 256, 1024}) {
       const StepTime t = time_of_step(grains, ranks, parts);
-      const double ghosts = CutSpecimen(grains, ranks, parts).ghosts(parts);
-      std::printf("%.0f,%d,%.0f,%.0f,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g,%.3g,%.2f,%s\n",
-                  grains, ranks, grains / ranks, ghosts, 1e3 * t.grains, 1e3 * t.lists,
-                  1e3 * t.ghosts, 1e3 * t.small_sums, 1e3 * t.sleeve, 1e3 * t.sleeve_nodes,
-                  1e3 * t.sleeve_sum, 1e3 * t.all(), alone / t.all(), alone / t.all() / ranks,
-                  ranks == 1 ? "-" : limit_of(t));
+      const double times[] = {t.grains, t.lists,        t.ghosts,     t.small_sums,
+                              t.sleeve, t.sleeve_nodes, t.sleeve_sum, t.all()};
+      std::printf("| %.0f | %d | %.0f |", grains, ranks,
+                  CutSpecimen(grains, ranks, parts).ghosts(parts));
+      for (const double time : times) std::printf(" %.3g |", 1e3 * time);
+      std::printf(" %.3g | %s |\n", alone / t.all(), ranks == 1 ? "" : limit_of(t));
     }
   }
 }
