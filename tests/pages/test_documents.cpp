@@ -109,7 +109,7 @@ TEST(MarkdownLinks, AreRefusedWhereFileOrHeadingIsMissing)
 {
   const fs::path page = source / "tests/bench/README.md";
   EXPECT_EQ(problem_with("peers/README.md", page), "");
-  EXPECT_EQ(problem_with("peers/README.md#on-paper-a-cluster", page), "");
+  EXPECT_EQ(problem_with("peers/README.md#ghosts-and-messages", page), "");
   EXPECT_NE(problem_with("peers/NONE.md", page), "");
   EXPECT_NE(problem_with("peers/README.md#nowhere", page), "");
   EXPECT_NE(problem_with("#nowhere", page), "");
