@@ -63,6 +63,7 @@ void GrainGrid::sort(const double* centers, const double* radii, int count, doub
         spheres, [](const Sphere& sphere) -> auto& { return sphere.center; });
   }
   levels_.resize(used);
+  classes_ = {};
 }
 
 std::optional<std::pair<int, int>> find_coincident(const double* centers, int count)
