@@ -14,6 +14,10 @@ void PairHistory::take()
     int* const found = std::find(partner_[i], end, other);
     if (found != end) pairs.restore(n, contacthistory(i, static_cast<int>(found - partner_[i])));
   }
+  // Nothing of it is read before it is given to the grains again.
+  std::fill_n(npartner_, atom->nlocal, 0);
+  ipage_->init(oneatom_, pgsize_);
+  dpage_->init(oneatom_ * std::max(1, dnum_), pgsize_);
 }
 
 void PairHistory::lend(LAMMPS_NS::NeighList& list)
@@ -58,6 +62,14 @@ void PairHistory::pre_exchange()
   *computeflag_ = 0;  // what the grains have is the latest, until forces are made
   maxtouch_ = atom->nlocal ? *std::max_element(npartner_, npartner_ + atom->nlocal) : 0;
   comm->maxexchange_fix = std::max(comm->maxexchange_fix, (dnum_ + 1) * maxtouch_ + 1);
+}
+
+// The host calls this before it packs the grains. It copies memories to them when it builds a list,
+// before the forces of that step: in the middle of a run they would be those of an earlier step.
+void PairHistory::write_restart(FILE* file)
+{
+  if (in_charge_ && *computeflag_) pre_exchange();
+  FixContactHistory::write_restart(file);
 }
 
 /// Each grain gets its own copy of what its contacts remember, as seen from there.

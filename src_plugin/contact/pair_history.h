@@ -27,6 +27,7 @@ class PairHistory : public LAMMPS_NS::FixContactHistory {
   void take_back();
 
   void pre_exchange() override;
+  void write_restart(FILE* file) override;
   double memory_usage() override;
 
  private:
