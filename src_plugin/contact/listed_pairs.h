@@ -19,8 +19,8 @@ class ListedPairs {
   {
     first_.clear();
     second_.clear();
-    rows_.clear();
-    memories_.clear();
+    rows_ = {};  // leaves its memory to what finds the pairs
+    memories_ = {};
     numbers_ = numbers;
     place_ = place;
   }
