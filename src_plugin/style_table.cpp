@@ -3,6 +3,7 @@
 
 #include "host/granular_host.h"
 
+#include "contact/pair_history.h"
 #include "contact/register_linear.h"
 #include "deck/record_variables_command.h"
 #include "deck/require_command.h"
@@ -31,6 +32,7 @@ const std::vector<Style>& style_table()
 {
   constexpr bool reads_contact_law = true;
   static const std::vector<Style> table{
+      {"contacthistory", make_instead<PairHistory>()},
       {"create_packing", make<CreatePackingCommand>()},
       {"create_wall_mesh", make<CreateWallMeshCommand>()},
       {"gravity", make_instead<FixGravityOfMotion>()},

@@ -44,15 +44,19 @@ void GrainGrid::sort(const double* centers, const double* radii, int count, doub
   factor_ = factor;
   margin_ = margin;
   classes_.resize(most_levels);
-  for (auto& spheres : classes_) spheres.clear();
   const double largest = count > 0 ? *std::max_element(radii, radii + count) : 0.0;
+  const auto level_of = [&](int i) {
+    return std::min(most_levels - 1, std::ilogb(largest / radii[i]));
+  };
+  std::array<int, most_levels> of_level{};
+  for (int i = 0; i < count; ++i) ++of_level[level_of(i)];
+  for (int level = 0; level < most_levels; ++level) classes_[level].reserve(of_level[level]);
   for (int i = 0; i < count; ++i) {
-    const int level = std::min(most_levels - 1, std::ilogb(largest / radii[i]));
     const double* x = centers + 3 * i;
-    classes_[level].push_back({{x[0], x[1], x[2]}, radii[i], i});
+    classes_[level_of(i)].push_back({{x[0], x[1], x[2]}, radii[i], i});
   }
   std::size_t used = 0;
-  for (const auto& spheres : classes_) {
+  for (auto& spheres : classes_) {
     if (spheres.empty()) continue;
     if (used == levels_.size()) levels_.emplace_back();
     Level& level = levels_[used++];
@@ -61,6 +65,7 @@ void GrainGrid::sort(const double* centers, const double* radii, int count, doub
     level.lay_grid(spheres, 2.0 * factor * level.largest + margin);
     level.grid.sort(
         spheres, [](const Sphere& sphere) -> auto& { return sphere.center; });
+    spheres = {};
   }
   levels_.resize(used);
 }

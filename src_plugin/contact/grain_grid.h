@@ -51,7 +51,7 @@ class GrainGrid {
 
   double factor_ = 1.0, margin_ = 0.0;
   std::vector<Level> levels_;
-  std::vector<std::vector<Sphere>> classes_;  ///< kept for their memory
+  std::vector<std::vector<Sphere>> classes_;  ///< empty between
 };
 
 /// Two of `count` grains whose centers, three numbers each [m], are the same point: no direction

@@ -49,6 +49,7 @@ class PairLinear
     HostLoop::init_granular();
     context_.open(with_rolling);
     memory_ = this->get_history_offset("contact_memory");
+    history_ = static_cast<PairHistory*>(parent_->get_fix_history());
     try {
       list_.take_over(parent_);
     } catch (const InputError& problem) {
@@ -58,22 +59,17 @@ class PairLinear
 
   void compute_force(PairGran* pair, int eflag, int vflag, int addflag) override
   {
-    if (list_.update(pair)) pairs_are_old_ = true;
-    if (loop_ == PairLoop::host || wants_host_loop(pair, eflag, vflag)) {
-      HostLoop::compute_force(pair, eflag, vflag, addflag);
-      return;
-    }
-    if (pairs_are_old_) pairs_.take(*pair->list, pair->dnum());
-    pairs_are_old_ = false;
-    pair->evflag = pair->vflag_fdotr = 0;
-    if (lmp_->atom->nlocal == 0) return;
-    context_.ask_observers();
-    const GrainArrays grains(lmp_->atom);
+    list_.update(*pair->list, *history_, memory_ + 3);
     const bool advance = pair->computeflag() && pair->shearupdate();
-    if (loop_ == PairLoop::batches)
-      press_in_batches(grains, advance);
-    else
-      press_one_by_one(grains, advance);
+    if (loop_ == PairLoop::host || wants_host_loop(pair, eflag, vflag)) {
+      history_->lend(*pair->list);
+      HostLoop::compute_force(pair, eflag, vflag, addflag);
+    } else {
+      history_->take_back();
+      pair->evflag = pair->vflag_fdotr = 0;
+      if (lmp_->atom->nlocal) press(advance);
+    }
+    if (advance) history_->pairs.set_step(static_cast<double>(lmp_->update->ntimestep));
   }
 
  private:
@@ -85,23 +81,49 @@ class PairLinear
            !pair->computeflag();
   }
 
+  void press(bool advance)
+  {
+    context_.ask_observers();
+    const GrainArrays grains(lmp_->atom);
+    if (loop_ == PairLoop::batches)
+      press_in_batches(grains, advance);
+    else
+      press_one_by_one(grains, advance);
+  }
+
   /// Calls `found(i, j, memory)` for all pairs that touch.
   template <typename Found>
   void find_contacts(GrainArrays grains, const Found& found)
   {
-    const int stride = parent_->dnum();
+    ListedPairs& pairs = history_->pairs;
     int touching[longest_block];
-    for (const ListedPairs::Page& page : pairs_.pages())
-      for (int begin = page.begin; begin < page.end; begin += longest_block) {
-        const int* const first = pairs_.first() + begin;
-        const int* const second = pairs_.second() + begin;
-        const int number = find_touching_pairs(
-            grains.x, grains.radius, first, second, std::min(longest_block, page.end - begin),
-            touching_flag, page.flags + (begin - page.begin), touching);
-        double* const memories = page.memories + (begin - page.begin) * stride + memory_;
-        for (int m = 0; m < number; ++m)
-          found(first[touching[m]], second[touching[m]], memories + touching[m] * stride);
-      }
+    for (int begin = 0; begin < pairs.size(); begin += longest_block) {
+      fetch(grains, begin + fetched_ahead);
+      const int* const first = pairs.first() + begin;
+      const int* const second = pairs.second() + begin;
+      const int number =
+          find_touching_pairs(grains.x, grains.radius, first, second,
+                              std::min(longest_block, pairs.size() - begin), touching);
+      for (int m = 0; m < number; ++m)
+        found(first[touching[m]], second[touching[m]], pairs.memory(begin + touching[m]) + memory_);
+    }
+  }
+
+  /// Asks for what the law needs of the second grains of a block of pairs, which lie anywhere,
+  /// while earlier blocks are worked on. Inline: as it returns nothing, a call would be left out.
+  [[gnu::always_inline]] void fetch(GrainArrays grains, int begin) const
+  {
+    const ListedPairs& pairs = history_->pairs;
+    const int end = std::min(begin + longest_block, pairs.size());
+    for (int n = begin; n < end; ++n) {
+      const int j = pairs.second()[n];
+      __builtin_prefetch(grains.radius + j);
+      __builtin_prefetch(grains.x + 3 * j);
+      __builtin_prefetch(grains.v + 3 * j);
+      __builtin_prefetch(grains.omega + 3 * j);
+      __builtin_prefetch(grains.force + 3 * j, 1);
+      __builtin_prefetch(grains.moment + 3 * j, 1);
+    }
   }
 
   static ContactBody body(GrainArrays grains, int i)
@@ -164,15 +186,13 @@ class PairLinear
     });
   }
 
-  static constexpr int touching_flag = LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL |
-                                       LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
+  static constexpr int fetched_ahead = 8 * longest_block;  ///< pairs
   LAMMPS_NS::LAMMPS* lmp_;
   PairGran* parent_;
   ContactContext context_;
   std::conditional_t<with_rolling, RollingBatch, ContactBatch> batch_;
   PairList list_;
-  ListedPairs pairs_;
-  bool pairs_are_old_ = true;
+  PairHistory* history_ = nullptr;
   PairLoop loop_ = PairLoop::batches;
   int memory_ = 0;
 };

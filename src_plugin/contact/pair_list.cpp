@@ -3,13 +3,10 @@
 
 #include "core/input_error.h"
 
-#include "fix_contact_history.h"
-#include "neigh_list.h"
 #include "neigh_request.h"
 #include "pair_gran.h"
 #include "timer.h"
 
-#include <algorithm>
 #include <string>
 
 namespace encased_column {
@@ -49,61 +46,50 @@ bool PairList::host_list_is_needed() const
   return false;
 }
 
-void PairList::build(LAMMPS_NS::PairGran* pair)
+void PairList::build(LAMMPS_NS::NeighList& list, ListedPairs& pairs)
 {
   const LAMMPS_NS::Atom* atom = lmp_->atom;
-  const LAMMPS_NS::Neighbor* neighbor = lmp_->neighbor;
-  LAMMPS_NS::NeighList& list = *pair->list;
+  LAMMPS_NS::Neighbor* const neighbor = lmp_->neighbor;
   LAMMPS_NS::NeighList& touches = *list.listgranhistory;
-  LAMMPS_NS::FixContactHistory& partners = *list.fix_history;
   if (list.get_maxlocal() < atom->nmax) list.grow(atom->nmax);
   if (touches.get_maxlocal() < atom->nmax) touches.grow(atom->nmax);
   // Known only now: the host reads its exclusions after the set-up of the pair styles.
-  if (lmp_->neighbor->exclude_setting()) {
-    lmp_->neighbor->build_one(list.index);
+  if (neighbor->exclude_setting()) {
+    neighbor->build_one(list.index);
+    read(list, pairs);
     return;
   }
-  list.ipage->reset();
-  touches.ipage->reset();
-  touches.dpage->reset();
-  const int owned = atom->nlocal, all = owned + atom->nghost, numbers = touches.dnum;
-  grid_.sort(all ? atom->x[0] : nullptr, atom->radius, all, neighbor->contactDistanceFactor,
-             neighbor->skin);
-
+  const int owned = atom->nlocal, all = owned + atom->nghost;
+  GrainGrid grid;  // as large as the list: not kept beside it
+  grid.sort(all ? atom->x[0] : nullptr, atom->radius, all, neighbor->contactDistanceFactor,
+            neighbor->skin);
   for (int i = 0; i < owned; ++i) {
-    int* const found = list.ipage->vget();
-    int* const touching = touches.ipage->vget();
-    double* const memory = touches.dpage->vget();
-    const int known = partners.n_partner(i);
-    int count = 0;
-    grid_.near(as_vec3(atom->x[i]), atom->radius[i], i + 1, [&](int j) {
-      if (count == list.oneatom)
-        lmp_->error->one(FLERR, ("a grain has more than " + std::to_string(count) +
-                                 " neighbours, write 'neigh_modify one' with a larger number and "
-                                 "'page' with 10 times that")
-                                    .c_str());
-      int m = 0;
-      while (m < known && partners.partner(i, m) != atom->tag[j]) ++m;
-      double* const its_memory = memory + count * numbers;
-      if (m < known)
-        std::copy_n(partners.contacthistory(i, m), numbers, its_memory);
-      else
-        std::fill_n(its_memory, numbers, 0.0);
-      touching[count] = m < known;
-      found[count++] = j;
-    });
+    const int begin = pairs.size();
+    grid.near(as_vec3(atom->x[i]), atom->radius[i], i + 1, [&](int j) { pairs.add(i, j); });
     list.ilist[i] = i;
-    list.numneigh[i] = count;
-    list.firstneigh[i] = found;
-    touches.firstneigh[i] = touching;
-    touches.firstdouble[i] = memory;
-    list.ipage->vgot(count);
-    touches.ipage->vgot(count);
-    touches.dpage->vgot(count * numbers);
+    list.numneigh[i] = pairs.size() - begin;
+    if (list.numneigh[i] > list.oneatom)
+      lmp_->error->one(FLERR, ("a grain has more than " + std::to_string(list.oneatom) +
+                               " neighbours, write 'neigh_modify one' with a larger number and "
+                               "'page' with 10 times that")
+                                  .c_str());
+  }
+  int begin = 0;
+  for (int i = 0; i < owned; ++i) {
+    list.firstneigh[i] = pairs.second() + begin;
+    begin += list.numneigh[i];
   }
   list.inum = owned;
   list.gnum = 0;
   lmp_->timer->stamp(TIME_NEIGHBOR);
+}
+
+void PairList::read(const LAMMPS_NS::NeighList& list, ListedPairs& pairs)
+{
+  for (int n = 0; n < list.inum; ++n) {
+    const int i = list.ilist[n];
+    for (int k = 0; k < list.numneigh[i]; ++k) pairs.add(i, list.firstneigh[i][k] & NEIGHMASK);
+  }
 }
 
 }  // namespace encased_column

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
+#include "contact/grain_grid.h"
+#include "contact/pair_history.h"
+
+#include <utility>
+
 namespace LAMMPS_NS {
 class PairGran;
 }
 
-#include "contact/grain_grid.h"
-#include "host/host_types.h"
-
-#include "neigh_list.h"
-
-#include <utility>
-#include <vector>
-
 namespace encased_column {
 
 /// Makes the neighbour list of the linear law's pairs in place of the host, whose one grid serves
-/// grains of 15 to 1 badly: the same pairs, in the host's own list and contact history.
+/// grains of 15 to 1 badly: the same pairs, which the host's own list then points to.
 ///
 /// The host builds no list that is asked for as occasional; this object asks so for the pair
 /// style's and fills it before the first force after each of the host's builds.
@@ -29,13 +26,19 @@ class PairList {
   /// contacts remember; throws InputError for a `neighbor` style that finds no contacts.
   void take_over(LAMMPS_NS::PairGran* pair);
 
-  /// Before forces: makes the list if it is not there yet. True where it is a new one.
-  bool update(LAMMPS_NS::PairGran* pair)
+  /// Before forces: makes the host's `list` if it is not there yet. The pairs of a new one go to
+  /// `history`, whose contacts remember the step they were last seen at `place`.
+  void update(LAMMPS_NS::NeighList& list, PairHistory& history, int place)
   {
-    if (built() == built_) return false;
-    if (taken_over_) build(pair);
+    if (built() == built_) return;
+    history.pairs.start(history.get_dnum(), place);
+    if (taken_over_)
+      build(list, history.pairs);
+    else
+      read(list, history.pairs);
+    history.pairs.end();
+    history.take();
     built_ = built();
-    return true;
   }
 
  private:
@@ -44,56 +47,12 @@ class PairList {
   /// Number and step of the host's last build.
   Build built() const { return {lmp_->neighbor->ncalls, lmp_->neighbor->lastcall}; }
   bool host_list_is_needed() const;
-  void build(LAMMPS_NS::PairGran* pair);
+  void build(LAMMPS_NS::NeighList& list, ListedPairs& pairs);
+  static void read(const LAMMPS_NS::NeighList& list, ListedPairs& pairs);
 
   LAMMPS_NS::LAMMPS* lmp_;
   bool taken_over_ = false;
   Build built_{-1, -1};
-  GrainGrid grid_;
-};
-
-/// The pairs of the host's list, one after the other: the list itself is a row a grain, most of
-/// them so short that the processor mispredicts the end of each loop.
-class ListedPairs {
- public:
-  /// Pairs whose flags and memories lie one after the other in the host.
-  struct Page {
-    int begin, end;
-    int* flags;
-    double* memories;
-  };
-
-  /// Takes `list` over, whose contacts remember `numbers` numbers each, until the next is built.
-  void take(const LAMMPS_NS::NeighList& list, int numbers)
-  {
-    first_.clear();
-    second_.clear();
-    pages_.clear();
-    const LAMMPS_NS::NeighList& touches = *list.listgranhistory;
-    for (int n = 0; n < list.inum; ++n) {
-      const int i = list.ilist[n], count = list.numneigh[i];
-      if (count == 0) continue;
-      const int begin = static_cast<int>(first_.size());
-      int* const flags = touches.firstneigh[i];
-      double* const memories = touches.firstdouble[i];
-      if (pages_.empty() || flags != pages_.back().flags + (begin - pages_.back().begin) ||
-          memories != pages_.back().memories + (begin - pages_.back().begin) * numbers)
-        pages_.push_back({begin, begin, flags, memories});
-      for (int k = 0; k < count; ++k) {
-        first_.push_back(i);
-        second_.push_back(list.firstneigh[i][k] & NEIGHMASK);
-      }
-      pages_.back().end = begin + count;
-    }
-  }
-
-  const std::vector<Page>& pages() const { return pages_; }
-  const int* first() const { return first_.data(); }
-  const int* second() const { return second_.data(); }
-
- private:
-  std::vector<int> first_, second_;
-  std::vector<Page> pages_;
 };
 
 }  // namespace encased_column

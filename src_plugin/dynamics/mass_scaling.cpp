@@ -34,6 +34,8 @@ void MassScaling::begin_step(const MovingGrains& grains, bool way_was_gone)
 {
   grains_ = grains;
   way_was_gone_ = way_was_gone;
+  // Steps that find no masses are most of all, and leave the memory to others.
+  if (way_was_gone) stiffness_ = {};
 }
 
 void MassScaling::admit_new_grains()

@@ -21,21 +21,20 @@ TEST(TouchingPairs, AreThoseWithoutAGapInTheirOrder)
     first.push_back(2 * n + n % 2);
     second.push_back(2 * n + 1 - n % 2);
   }
-  std::vector<int> flags(gap.size(), 99), touching(gap.size() + 1, -1);
+  std::vector<int> touching(gap.size() + 1, -1);
   const int found = find_touching_pairs(center.data(), radius.data(), first.data(), second.data(),
-                                        gap.size(), 5, flags.data(), touching.data());
+                                        gap.size(), touching.data());
   ASSERT_EQ(found, 3);
   EXPECT_EQ(std::vector<int>(touching.begin(), touching.begin() + 3), (std::vector<int>{0, 2, 4}));
-  EXPECT_EQ(flags, (std::vector<int>{5, 0, 5, 0, 5, 0}));
 }
 
 TEST(TouchingPairs, FillABlock)
 {
   const std::vector<double> center{0, 0, 0, 1.5, 0, 0}, radius{1.0, 1.0};
   const std::vector<int> first(longest_block, 0), second(longest_block, 1);
-  std::vector<int> flags(longest_block), touching(longest_block);
+  std::vector<int> touching(longest_block);
   EXPECT_EQ(find_touching_pairs(center.data(), radius.data(), first.data(), second.data(),
-                                longest_block, 1, flags.data(), touching.data()),
+                                longest_block, touching.data()),
             longest_block);
   EXPECT_EQ(touching.back(), longest_block - 1);
 }

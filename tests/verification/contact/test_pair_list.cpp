@@ -75,6 +75,14 @@ TEST(PairLoop, GivesTheForcesOfTheHostsTemplate)
   expect_the_same_loops("", "", 2);
 }
 
+// The host's loop makes the stress that the deck asks for, and leaves the steps between to ours.
+TEST(PairLoop, TakesTurnsWithTheHostsTemplate)
+{
+  const std::string by_turns = "thermo_style custom step press\nthermo 2\n";
+  for (const int ranks : {1, 2})
+    expect_the_same(growing_grains("", by_turns), growing_grains("", ""), ranks);
+}
+
 TEST(PairLoop, OneByOneGivesTheForcesOfTheHostsTemplate)
 {
   expect_the_same_loops("", " loop single", 1);
