@@ -386,7 +386,7 @@ TEST(RunCommand, PacksAColumnByRelativeDensity)
     digits.erase(std::remove(digits.begin(), digits.end(), ' '), digits.end());
     return std::stod(digits);
   };
-  const double loosest = 0.4835, densest = 0.3748;
+  const double loosest = 0.482, densest = 0.3754;
   const double loose = loosest / (1.0 - loosest), dense = densest / (1.0 - densest);
   for (const double d : {0.4, 0.8})
     EXPECT_NEAR(grains_at(d < 0.5 ? "0.4" : "0.8") / grains_at("0"),
