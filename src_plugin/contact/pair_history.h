@@ -30,8 +30,12 @@ class PairHistory : public LAMMPS_NS::FixContactHistory {
   void write_restart(FILE* file) override;
   double memory_usage() override;
 
+ protected:
+  void allocate_pages() override;
+
  private:
   void give_to_grains();
+  void make_room(int i);
 
   bool in_charge_ = false, lent_ = false;
   int listed_ = 0;          ///< grains when the list was made

@@ -8,6 +8,8 @@
 #include "core/input_error.h"
 #include "host/grains_and_box.h"
 
+#include "compute.h"
+
 namespace encased_column {
 
 /// The linear law's own loop over pairs, and its own list of them. The host's loop fills two
@@ -50,6 +52,7 @@ class PairLinear
     context_.open(with_rolling);
     memory_ = this->get_history_offset("contact_memory");
     history_ = static_cast<PairHistory*>(parent_->get_fix_history());
+    rows_are_read_ = host_rows_are_read();
     try {
       list_.take_over(parent_);
     } catch (const InputError& problem) {
@@ -73,9 +76,24 @@ class PairLinear
   }
 
  private:
-  static bool wants_host_loop(PairGran* pair, int eflag, int vflag)
+  /// Styles of the host that look at its rows of contacts themselves: its loop keeps them.
+  bool host_rows_are_read() const
   {
-    return eflag || vflag || pair->cpl() || pair->storeContactForces() ||
+    const auto begins = [](const char* style, const std::string& name) {
+      return std::string(style).compare(0, name.size(), name) == 0;
+    };
+    const LAMMPS_NS::Modify* modify = lmp_->modify;
+    for (int n = 0; n < modify->nfix; ++n)
+      for (const char* name : {"heat/gran", "multicontact/"})
+        if (begins(modify->fix[n]->style, name)) return true;
+    for (int n = 0; n < modify->ncompute; ++n)
+      if (begins(modify->compute[n]->style, "contact/atom/gran")) return true;
+    return false;
+  }
+
+  bool wants_host_loop(PairGran* pair, int eflag, int vflag) const
+  {
+    return rows_are_read_ || eflag || vflag || pair->cpl() || pair->storeContactForces() ||
            pair->storeContactForcesStress() || pair->storeSumDelta() ||
            pair->store_sum_normal_force() || pair->fr_pair() || pair->freeze_group_bit() ||
            !pair->computeflag();
@@ -193,6 +211,7 @@ class PairLinear
   std::conditional_t<with_rolling, RollingBatch, ContactBatch> batch_;
   PairList list_;
   PairHistory* history_ = nullptr;
+  bool rows_are_read_ = false;
   PairLoop loop_ = PairLoop::batches;
   int memory_ = 0;
 };

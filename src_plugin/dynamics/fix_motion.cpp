@@ -204,6 +204,7 @@ void FixMotion::final_integrate()
 void FixMotion::post_run()
 {
   complete_step();
+  motion_.damping = settings_.damping;
   force_start_.give_back(lmp);
 }
 

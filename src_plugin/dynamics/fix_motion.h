@@ -55,7 +55,7 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
   int every() const { return settings_.every; }
   /// Finds unbalanced_ratio() again, with the forces as they are now.
   void compute_unbalanced_ratio();
-  /// Another local damping `alpha` [-] than that of the deck, until the next run begins.
+  /// Another local damping `alpha` [-] than that of the deck, until the run ends.
   void damp_run_with(double alpha)
   {
     complete_step();  // with the damping it was made with

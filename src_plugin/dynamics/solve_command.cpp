@@ -96,11 +96,15 @@ void SolveCommand::command(int narg, char** arg)
   double ratio = 1.0;
   bool is_reached = false;
   while (done < max && !is_stopped() && !is_reached) {
-    // At a look and not at `least` itself: a run that goes on from a restart file looks at the
-    // same.
-    if (damping && done >= least && update->ntimestep % every == 0) motion->damp_run_with(*damping);
     // Pieces end where the motion has just updated masses and ratios.
     const long piece = std::min(every - static_cast<long>(update->ntimestep % every), max - done);
+    // A run that goes on from a restart file has what is left of `least`: both come to one step.
+    if (damping && done < least && least < done + piece) {
+      update->integrate->run(static_cast<int>(least - done));
+      done = least;
+      continue;
+    }
+    if (damping && done >= least) motion->damp_run_with(*damping);
     run_piece(piece);
     done += piece;
     ratio = chosen(motion->unbalanced_ratio(), which);

@@ -78,7 +78,8 @@ TEST(PairLoop, GivesTheForcesOfTheHostsTemplate)
 // The host's loop makes the stress that the deck asks for, and leaves the steps between to ours.
 TEST(PairLoop, TakesTurnsWithTheHostsTemplate)
 {
-  const std::string by_turns = "thermo_style custom step press\nthermo 2\n";
+  const std::string by_turns =
+      "compute t all temp\ncompute p all pressure t\nthermo_style custom step c_p\nthermo 2\n";
   for (const int ranks : {1, 2})
     expect_the_same(growing_grains("", by_turns), growing_grains("", ""), ranks);
 }

@@ -42,13 +42,14 @@ print          "grains ${number}"
 print          "highest ${most}"
 )";
 
+constexpr double stiffness = 109955.74287564278, way = 10e-6;
+// The normal force, which has turned with the grains, takes a little of the spring's away.
+constexpr double force = stiffness * (0.2e-3 * way / 0.0198 - way);
+
 }  // namespace
 
 TEST(RenumberedGrains, KeepTheSpringsOfTheirContacts)
 {
-  const double stiffness = 109955.74287564278, way = 10e-6;
-  // The normal force, which has turned with the grains, takes a little of the spring's away.
-  const double force = stiffness * (0.2e-3 * way / 0.0198 - way);
   for (const std::string options : {"", " compress yes", " compress no"})
     for (const int ranks : {1, 2}) {
       const Outcome outcome =
@@ -59,6 +60,42 @@ TEST(RenumberedGrains, KeepTheSpringsOfTheirContacts)
       EXPECT_NEAR(outcome.value("shear"), 2.0 * force, 1e-6) << options << ", ranks " << ranks;
       EXPECT_NEAR(outcome.value("weakest"), force, 1e-6) << options << ", ranks " << ranks;
     }
+}
+
+// The list of pairs has the old places of the grains when the second one goes.
+TEST(RenumberedGrains, KeepTheirSpringsWhenAnotherOneGoes)
+{
+  for (const int ranks : {1, 2}) {
+    const Outcome outcome = run_deck(
+        rows + "group second id 2\ndelete_atoms group first\ndelete_atoms group second\n" + forces,
+        ranks);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_EQ(outcome.value("grains"), 3.0);
+    EXPECT_NEAR(outcome.value("shear"), force, 1e-6) << "ranks " << ranks;
+  }
+}
+
+// The host throws away what it keeps the memories in.
+TEST(RenumberedGrains, KeepTheirSpringsWhereTheListsAreGivenOtherSizes)
+{
+  const Outcome outcome = run_deck(rows + "neigh_modify one 400 page 4000\n" + forces);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NEAR(outcome.value("shear"), 2.0 * force, 1e-6);
+}
+
+// Three pairs, each counted for both of its grains, from the host's rows of contacts.
+TEST(RenumberedGrains, AreCountedByTheHostsComputeOfContacts)
+{
+  const Outcome outcome = run_deck(rows + R"(
+compute        touches all contact/atom/gran
+compute        touch all reduce sum c_touches
+variable       touch equal c_touch
+thermo_style   custom step c_touch
+run            2
+print          "touches ${touch}"
+)");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(outcome.value("touches"), 6.0);
 }
 
 TEST(RenumberedGrains, AreNotReplicatedWithTheSpringsOfOthers)

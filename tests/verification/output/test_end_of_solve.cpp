@@ -70,7 +70,7 @@ TEST(EndOfSolve, IsThatOfARun)
   expect_the_same("variable when equal step+90\nthermo v_when\n");
 }
 
-// From the first look after `least` steps to the end; the next run has that of the motion again.
+// From `least` steps to the end; the next run has that of the motion again.
 TEST(EndOfSolve, WithADampingOfItsOwnIsThatOfRunsWithIt)
 {
   const std::string falls = opening_deck("one_grain") + R"(
@@ -91,8 +91,8 @@ thermo_style custom step ke f_move[1] f_move[5] f_bottom[2]
   ASSERT_EQ(a.exit_code, 0) << a.output;
   const double end = a.value("end");
   ASSERT_GE(end, 200.0);
-  const Outcome b = run_deck(falls + "run 100\nfix_modify move damping 0.1\nrun " +
-                                 std::to_string(std::lround(end) - 100) +
+  const Outcome b = run_deck(falls + "run 75\nfix_modify move damping 0.1\nrun " +
+                                 std::to_string(std::lround(end) - 75) +
                                  "\nfix_modify move damping 0.7\nrun 100\n" + write,
                              1, run.path());
   ASSERT_EQ(b.exit_code, 0) << b.output;
