@@ -39,6 +39,21 @@ inline double min_over_ranks(double value, MPI_Comm world)
   return -max_over_ranks(-value, world);
 }
 
+/// The ranks, for kernels that know no MPI.
+struct AllRanks {
+  MPI_Comm world;
+
+  /// Adds numbers up in place.
+  void sum(double* numbers, std::size_t count) const { sum_over_ranks(numbers, count, world); }
+  /// The numbers of all on each: `counts[r]` of rank r from `starts[r]` on in `all`.
+  void gather(const double* mine, const int* counts, const int* starts, double* all) const
+  {
+    int me = 0;
+    MPI_Comm_rank(world, &me);
+    MPI_Allgatherv(mine, counts[me], MPI_DOUBLE, all, counts, starts, MPI_DOUBLE, world);
+  }
+};
+
 /// `ok` of the first rank, on all ranks.
 inline bool on_first_rank_too(LAMMPS_NS::LAMMPS* lmp, bool ok)
 {

@@ -117,7 +117,7 @@ void FixMeshSurfaceShell::take_loads(bool at_set_up)
   // Lists of pairs and of facets are made together: grains keep their numbers in between.
   if (neighbor->ago == 0 || sleeve_->needs_list())
     remember(sleeve_->list_grains(atom->nlocal ? atom->x[0] : nullptr, atom->radius, atom->nlocal,
-                                  neighbor->skin));
+                                  neighbor->skin, AllRanks{world}));
   if (!sleeve_->has_grains_near()) return;
   if (rolling_)
     press(rolling_batch_, !at_set_up);
@@ -176,9 +176,7 @@ void FixMeshSurfaceShell::press(Batch& batch, bool advance_memory)
 void FixMeshSurfaceShell::finish_loads()
 {
   try {
-    sleeve_->finish_loads(step_now(), [this](double* numbers, std::size_t count) {
-      sum_over_ranks(numbers, count, world);
-    });
+    sleeve_->finish_loads(step_now(), AllRanks{world});
   } catch (const InputError& problem) {
     error->fix_error(FLERR, this, problem.what());
   }

@@ -58,11 +58,7 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
 
   const ShellModel& model() const { return sleeve_->model(); }
   /// Makes what the facets remember known on every rank, which all must call.
-  void share_memory()
-  {
-    sleeve_->share_memory(
-        [this](double* numbers, std::size_t count) { sum_over_ranks(numbers, count, world); });
-  }
+  void share_memory() { sleeve_->share_memory(AllRanks{world}); }
   /// Between the platens [m].
   HeightWindow window() const { return platens_.window(); }
   double pressure_now() const { return sleeve_->pressure(update->ntimestep); }

@@ -36,16 +36,16 @@ class NodalMasses {
   void start(const SleeveStep& step, bool at_set_up, bool rigid, int nodes);
   /// Where contacts of this step put their stiffness; null where nobody asks.
   std::vector<StiffnessBound>* contact_bound() { return updates_ ? &contact_bound_ : nullptr; }
-  /// Finds the masses where it is time to, `sum` adds numbers up over the ranks that share the
-  /// facets [first, last); returns the energy [J] that rising masses take. Throws InputError where
-  /// the step is too long for true masses.
-  template <typename Sum>
-  double finish(ShellModel& model, int first, int last, const SleeveStep& step, const Sum& sum)
+  /// Finds the masses where it is time to, `ranks.sum(numbers, count)` adds up over the ranks that
+  /// share the facets, of which this one has [first, last); returns the energy [J] that rising
+  /// masses take. Throws InputError where the step is too long for true masses.
+  template <typename Ranks>
+  double finish(ShellModel& model, int first, int last, const SleeveStep& step, const Ranks& ranks)
   {
     if (!updates_) return 0.0;
     if (find_facet_bound(model, first, last, step))
-      sum(&facet_bound_.front().translation, 2 * facet_bound_.size());
-    sum(&contact_bound_.front().translation, 2 * contact_bound_.size());
+      ranks.sum(&facet_bound_.front().translation, 2 * facet_bound_.size());
+    ranks.sum(&contact_bound_.front().translation, 2 * contact_bound_.size());
     return update(model, step);
   }
 

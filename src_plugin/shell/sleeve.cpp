@@ -57,6 +57,7 @@ Sleeve::Sleeve(const SurfaceMesh& mesh, const ShellConstants& constants, const N
   const long facets = model_.facets();
   first_ = static_cast<int>(facets * rank_.number / rank_.count);
   last_ = static_cast<int>(facets * (rank_.number + 1) / rank_.count);
+  touched_ = TouchedNodes(model_.nodes(), rank_.count);
   place_supports();
 }
 
@@ -118,13 +119,6 @@ void Sleeve::start_loads(const SleeveStep& step, const HeightWindow& window, boo
                  control_.pressed_everywhere ? HeightWindow() : window, model_.external());
     for (int i = 0; i < model_.nodes(); ++i) model_.force(i) += model_.external()[i];
   }
-}
-
-const std::vector<int>& Sleeve::list_grains(const double* centers, const double* radii, int grains,
-                                            double margin)
-{
-  contacts_.list(model_, centers, radii, grains, margin);
-  return contacts_.grains();
 }
 
 void Sleeve::find_reactions()

@@ -9,6 +9,7 @@
 #include "shell/sleeve_record.h"
 #include "shell/sleeve_state.h"
 #include "shell/sleeve_watch.h"
+#include "shell/touched_nodes.h"
 
 #include <array>
 #include <cmath>
@@ -37,7 +38,8 @@ struct Rank {
 /// and the contacts with grains.
 ///
 /// A step is advance(); start_loads(); press_grains(); finish_loads(). A set-up is the last three.
-/// `sum` adds numbers up over the ranks, in place. No step allocates memory.
+/// `ranks` adds up numbers of all ranks in place, `sum(numbers, count)`, and makes them known to
+/// each, `gather` as TouchedNodes asks for it. No step allocates memory.
 class Sleeve {
  public:
   /// Throws InputError where the mesh is no upright sleeve, or for a material without energy.
@@ -58,9 +60,16 @@ class Sleeve {
 
   /// True once the list below must be made again.
   bool needs_list() const { return contacts_.is_stale(model_); }
-  /// Lists the grains near by, see SleeveContacts::list(); returns their numbers.
+  /// Lists the grains near by, see SleeveContacts::list(), at the same step on all ranks; returns
+  /// their numbers.
+  template <typename Ranks>
   const std::vector<int>& list_grains(const double* centers, const double* radii, int grains,
-                                      double margin);
+                                      double margin, const Ranks& ranks)
+  {
+    contacts_.list(model_, centers, radii, grains, margin);
+    if (rank_.count > 1) touched_.list(model_.facet(), first_, last_, contacts_.facets(), ranks);
+    return contacts_.grains();
+  }
   bool has_grains_near() const { return !contacts_.grains().empty(); }
   /// Takes the loads of the grains, see SleeveContacts::resolve().
   template <typename Grains, typename Law>
@@ -73,13 +82,12 @@ class Sleeve {
   }
   /// Adds the loads up and finds the masses where it is time to. Throws InputError where the step
   /// is too long for true masses.
-  template <typename Sum>
-  void finish_loads(const SleeveStep& step, const Sum& sum)
+  template <typename Ranks>
+  void finish_loads(const SleeveStep& step, const Ranks& ranks)
   {
     if (control_.rigid) return;
-    std::vector<Vec3>& load = model_.load();
-    if (rank_.count > 1) sum(load.front().data(), 3 * load.size());
-    damping_loss_ += masses_.finish(model_, first_, last_, step, sum);
+    if (rank_.count > 1) touched_.sum(model_.load(), ranks);
+    damping_loss_ += masses_.finish(model_, first_, last_, step, ranks);
   }
   /// What the supports bear of the loads as they stand, for what looks before the first step.
   void find_reactions();
@@ -117,12 +125,12 @@ class Sleeve {
   /// True where facets remember what other ranks do not know of them.
   bool remembers() const { return model_.cloth().remembers(); }
   /// Makes the memory of all facets known here, for summaries and files.
-  template <typename Sum>
-  void share_memory(const Sum& sum)
+  template <typename Ranks>
+  void share_memory(const Ranks& ranks)
   {
     if (rank_.count == 1 || !remembers()) return;
     std::vector<double> numbers = memory_numbers(model_, first_, last_);
-    sum(numbers.data(), numbers.size());
+    ranks.sum(numbers.data(), numbers.size());
     take_memory(model_, numbers);
   }
 
@@ -150,6 +158,7 @@ class Sleeve {
   PressureRamp pressure_{0.0};
   long released_ = -1;  ///< step of the release from being rigid, below 0: none
   SleeveContacts contacts_;
+  TouchedNodes touched_;
 
   NodalMasses masses_;
   double energy_ = 0.0, pressure_work_ = 0.0, vertical_force_ = 0.0;

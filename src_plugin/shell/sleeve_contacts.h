@@ -59,6 +59,8 @@ class SleeveContacts {
   bool is_stale(const ShellModel& model) const;
   /// Listed grains, in the order of their numbers.
   const std::vector<int>& grains() const { return grain_; }
+  /// Facets near them, one after the other, some more than once.
+  const std::vector<int>& facets() const { return facet_; }
 
   /// For each listed grain that touches, asks `law` and gives the sleeve what it feels: the normal
   /// force along the facets' directions, shear force and moment at the contact; nodal forces are

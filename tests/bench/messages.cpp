@@ -9,8 +9,8 @@
 
 namespace {
 
-enum Function { send, allreduce, other, functions };
-constexpr const char* name[functions] = {"send", "allreduce", "other"};
+enum Function { send, allreduce, gather, other, functions };
+constexpr const char* name[functions] = {"send", "allreduce", "gather", "other"};
 
 double calls[functions], bytes[functions];
 
@@ -52,6 +52,13 @@ int MPI_Allreduce(const void* data, void* sum, int number, MPI_Datatype type, MP
 {
   count(allreduce, number, type);
   return PMPI_Allreduce(data, sum, number, type, op, comm);
+}
+
+int MPI_Allgatherv(const void* data, int number, MPI_Datatype type, void* all, const int* numbers,
+                   const int* starts, MPI_Datatype of, MPI_Comm comm)
+{
+  count(gather, number, type);
+  return PMPI_Allgatherv(data, number, type, all, numbers, starts, of, comm);
 }
 
 int MPI_Bcast(void* data, int number, MPI_Datatype type, int root, MPI_Comm comm)

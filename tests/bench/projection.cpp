@@ -46,6 +46,7 @@ constexpr Part parts_of_file[] = {
     {"facet_area", &StepParts::facet_area},
     {"ghost_layer", &StepParts::ghost_layer},
     {"ghost_reach", &StepParts::ghost_reach},
+    {"node_layer", &StepParts::node_layer},
     {"crossing", &StepParts::crossing},
     {"fullest", &StepParts::fullest},
 };

@@ -27,7 +27,8 @@ struct StepParts {
   // Between ranks:
   double ghost = 0;  ///< packing and unpacking of one [s]
   double ghost_bytes = 0;
-  double node_bytes = 0;  ///< of a node's loads, which are summed over the ranks
+  double node_bytes =
+      0;  ///< of the loads of a sleeve's node, which ranks that touch it send to all
   double small_sums = 0;  ///< sums of a few numbers over the ranks [a step]
   double latency = 0;     ///< of a message [s]
   double bandwidth = 1;   ///< of a rank [byte/s]
@@ -37,6 +38,7 @@ struct StepParts {
   double facet_area = 1;         ///< [m^2]
   double ghost_layer = 0;        ///< beyond a cut, as thick as what the host keeps [m]
   double ghost_reach = 0;        ///< the host asks ranks so far away [m]
+  double node_layer = 0;         ///< beyond a cut, where a rank's grains may touch the sleeve [m]
   double crossing = 0;           ///< contacts through a cut, which both sides see to [1/m^2]
   double fullest = 0;            ///< the fullest of ranks with m grains has sqrt(fullest / m) more
 };
@@ -68,6 +70,15 @@ struct CutSpecimen {
   {
     return across > 1 ? 2.0 * radius : 0.0;
   }  ///< of its area, along other ranks [m]
+
+  /// Nodes that a rank in the middle sends: those of its facets, strips all around the sleeve, and
+  /// those near its grains, which quarters of slices have elsewhere.
+  double touched_nodes(const StepParts& parts) const
+  {
+    const double layer = ends() * radius * parts.node_layer * 2.0 * pi / (across * across);
+    const double own = nodes(parts) / ranks;
+    return std::min(nodes(parts), across * own + layer / (2.0 * parts.facet_area));
+  }
 
   /// Ghosts of a rank in the middle: a layer of thickness h about it, within the specimen.
   double ghosts(const StepParts& parts) const
@@ -109,6 +120,13 @@ inline double time_of_sum(double bytes, int ranks, const StepParts& parts)
   return std::min(whole, by_parts);
 }
 
+/// Time of making `bytes` of each rank known to all [s]: each round doubles what a rank knows (the
+/// same source).
+inline double time_of_gather(double bytes, int ranks, const StepParts& parts)
+{
+  return std::ceil(std::log2(ranks)) * parts.latency + (ranks - 1) * bytes / parts.bandwidth;
+}
+
 /// Time of a step on the fullest rank, by what it is spent on [s].
 struct StepTime {
   double grains;        ///< contacts, motion and walls
@@ -138,7 +156,12 @@ inline StepTime time_of_step(double grains, int ranks, const StepParts& p)
   time.sleeve =
       facets / ranks * (p.facet + fullest * (p.sleeve_contact + p.sleeve_list / p.list_every));
   time.sleeve_nodes = nodes * p.node + facets * p.facet_list / p.list_every;
-  time.sleeve_sum = time_of_sum(nodes * p.node_bytes, ranks, p);
+  if (ranks > 1) {  // of what is touched, or of all: TouchedNodes
+    const double touched = cut.touched_nodes(p) * p.node_bytes;
+    time.sleeve_sum = ranks * cut.touched_nodes(p) > 2.0 * nodes
+                          ? time_of_sum(nodes * p.node_bytes, ranks, p)
+                          : time_of_gather(touched, ranks, p) + ranks * touched * p.add;
+  }
   return time;
 }
 

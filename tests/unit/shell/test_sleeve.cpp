@@ -38,6 +38,12 @@ SleeveControl with_ends(SleeveEnd top, SleeveEnd bottom)
   return control;
 }
 
+/// The only rank.
+struct Alone {
+  void sum(double*, std::size_t) const {}
+  void gather(const double*, const int*, const int*, double*) const {}
+};
+
 /// Steps of length 1, as with density scaling, with no grain or one.
 class Stepper {
  public:
@@ -66,14 +72,15 @@ class Stepper {
   {
     const SleeveStep now{step_, 1.0};
     sleeve_.start_loads(now, HeightWindow(), at_set_up);
-    sleeve_.list_grains(grain_.data(), &grain_radius_, grain_ == Vec3::Zero() ? 0 : 1, 0.001);
+    sleeve_.list_grains(grain_.data(), &grain_radius_, grain_ == Vec3::Zero() ? 0 : 1, 0.001,
+                        Alone());
     push_ = 0.0;
     behind_ = sleeve_.press_grains(
         SomeGrains{grain_.data(), {grain_radius_}}, [this](const SleeveContact& contact) {
           push_ = 1e5 * contact.merged.stiffening * contact.merged.overlap;
           return SleeveReaction{push_, -push_ * contact.merged.normal, Vec3::Zero(), 1e5};
         });
-    sleeve_.finish_loads(now, [](double*, std::size_t) {});
+    sleeve_.finish_loads(now, Alone());
   }
 
   Sleeve& sleeve_;

@@ -93,6 +93,30 @@ TEST(StepModel, SumsOverRanksInRoundsOfTwo)
   EXPECT_NEAR(time_of_sum(8e6, 8, parts), 6e-6 + 7e6 * (2e-9 + 1e-10), 1e-12);
 }
 
+// Each of 8 ranks learns 7 times what it sends, in 3 rounds.
+TEST(StepModel, GathersInRoundsOfTwo)
+{
+  StepParts parts;
+  parts.latency = 1e-6;
+  parts.bandwidth = 1e9;
+  EXPECT_EQ(time_of_gather(1e6, 1, parts), 0.0);
+  EXPECT_NEAR(time_of_gather(1e6, 8, parts), 3e-6 + 7e-3, 1e-12);
+}
+
+// What one rank sent in a mean step, over 48 bytes (tests/bench/ranks messages quick, slices): a
+// mean of ranks at the ends and in the middle.
+TEST(StepModel, HasTheNodesThatRanksSend)
+{
+  StepParts parts = specimen();
+  parts.facet_area = 1.084e-5;
+  parts.node_layer = 5e-3;
+  EXPECT_NEAR(CutSpecimen(53051.0, 2, parts).touched_nodes(parts), 74046.0 / 48.0, 30.0);
+  // Two in the middle with two ends, two with one.
+  const CutSpecimen four(53051.0, 4, parts);
+  const double strip = four.nodes(parts) / 4.0;
+  EXPECT_NEAR(strip + 0.75 * (four.touched_nodes(parts) - strip), 40822.0 / 48.0, 30.0);
+}
+
 // Without a sleeve, ghosts, messages and what no size changes, ranks divide all work.
 TEST(StepModel, DividesTheWorkOfGrains)
 {
