@@ -2,7 +2,7 @@
 #include "runner/case_folder.h"
 
 #include "core/input_error.h"
-#include "files/restart_file.h"
+#include "files/restart_seal.h"
 #include "runner/case_variables.h"
 #include "runner/last_words.h"
 #include "runner/text_file.h"

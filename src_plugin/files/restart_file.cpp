@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "files/restart_file.h"
 
-#include "core/input_error.h"
+#include "files/restart_bytes.h"
 
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
 namespace encased_column {
@@ -15,91 +13,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& file, const std::string& found)
-{
-  throw InputError("'read_restart' must name a whole restart file, found '" + file + "', " + found +
-                   ", write the name of another one");
-}
-
 std::string with(std::string name, char placeholder, const std::string& text)
 {
   const auto at = name.find(placeholder);
   return at == std::string::npos ? name : name.replace(at, 1, text);
 }
-
-/// The bytes of a restart file, taken one number or name after the other.
-class Bytes {
- public:
-  explicit Bytes(const std::string& file) : file_(file)
-  {
-    std::error_code none;
-    if (!fs::is_regular_file(file, none)) refuse(file, "which is no file that can be read");
-    stream_.open(file, std::ios::binary);
-    left_ = static_cast<std::int64_t>(fs::file_size(file, none));
-    if (!stream_ || none) refuse(file, "which is no file that can be read");
-  }
-
-  template <typename Number>
-  Number take()
-  {
-    Number number;
-    take(&number, sizeof(number));
-    return number;
-  }
-  void skip(std::int64_t bytes)
-  {
-    spend(bytes);
-    stream_.seekg(bytes, std::ios::cur);
-  }
-  /// A number of things of at least `bytes` each that are still to come.
-  std::int64_t take_count(std::int64_t bytes)
-  {
-    const auto count = take<std::int32_t>();
-    if (count < 0) strange();
-    if (count * bytes > left_) cut_off();
-    return count;
-  }
-  std::string take_name()
-  {
-    std::string name(static_cast<std::size_t>(take_count(1)), '\0');
-    take(name.data(), static_cast<std::int64_t>(name.size()));
-    if (name.empty() || name.find('\0') != name.size() - 1) strange();
-    name.pop_back();
-    return name;
-  }
-  std::vector<double> take_numbers(std::int64_t count)
-  {
-    if (count * 8 > left_) cut_off();
-    std::vector<double> numbers(static_cast<std::size_t>(count));
-    take(numbers.data(), 8 * count);
-    return numbers;
-  }
-
-  /// What is left may be the seal of the bytes before it (RestartSeal), and nothing else.
-  void take_end() const
-  {
-    if (left_ > 0 && !is_sealed(file_)) refuse(file_, "which is cut off or damaged");
-  }
-
-  [[noreturn]] void cut_off() const { refuse(file_, "which is cut off"); }
-  [[noreturn]] void strange() const { refuse(file_, "which is damaged or no restart file"); }
-
- private:
-  void spend(std::int64_t bytes)
-  {
-    left_ -= bytes;
-    if (left_ < 0) cut_off();
-  }
-  void take(void* to, std::int64_t bytes)
-  {
-    spend(bytes);
-    if (!stream_.read(static_cast<char*>(to), bytes)) cut_off();
-  }
-
-  std::string file_;
-  std::ifstream stream_;
-  std::int64_t left_;
-};
 
 /// What the head says about the rest.
 struct Head {
@@ -127,13 +45,13 @@ enum Entry {
 enum TypeEntry { masses = 0 };
 enum ForceEntry { pair = 0 };
 
-void take_atom_style(Bytes& bytes)
+void take_atom_style(RestartBytes& bytes)
 {
   if (bytes.take_name() != "hybrid") return;
   for (auto left = bytes.take_count(5); left > 0; --left) bytes.take_name();
 }
 
-Head take_head(Bytes& bytes)
+Head take_head(RestartBytes& bytes)
 {
   Head head;
   if (bytes.take<std::int32_t>() != version) bytes.strange();
@@ -162,7 +80,7 @@ Head take_head(Bytes& bytes)
   return head;
 }
 
-void skip_groups(Bytes& bytes)
+void skip_groups(RestartBytes& bytes)
 {
   constexpr int most = 32;
   const auto groups = bytes.take_count(4);
@@ -175,7 +93,7 @@ void skip_groups(Bytes& bytes)
   if (groups < 1 || named < groups) bytes.strange();
 }
 
-void skip_masses(Bytes& bytes, const Head& head)
+void skip_masses(RestartBytes& bytes, const Head& head)
 {
   for (auto entry = bytes.take<std::int32_t>(); entry >= 0; entry = bytes.take<std::int32_t>()) {
     if (entry != masses) bytes.strange();
@@ -184,7 +102,7 @@ void skip_masses(Bytes& bytes, const Head& head)
 }
 
 /// False where something stands that only its own style can read.
-bool skip_force_fields(Bytes& bytes, const Head& head)
+bool skip_force_fields(RestartBytes& bytes, const Head& head)
 {
   for (auto entry = bytes.take<std::int32_t>(); entry >= 0; entry = bytes.take<std::int32_t>()) {
     if (entry > 4) bytes.strange();
@@ -196,7 +114,7 @@ bool skip_force_fields(Bytes& bytes, const Head& head)
   return true;
 }
 
-void skip_fixes(Bytes& bytes)
+void skip_fixes(RestartBytes& bytes)
 {
   for (auto left = bytes.take_count(12); left > 0; --left) {
     bytes.take_name();
@@ -211,7 +129,7 @@ void skip_fixes(Bytes& bytes)
 }
 
 /// Number of grains in the next block, each of which begins with the number of its numbers.
-std::int64_t take_block(Bytes& bytes)
+std::int64_t take_block(RestartBytes& bytes)
 {
   constexpr double smallest = 8.0;
   const auto count = bytes.take_count(8);
@@ -249,14 +167,14 @@ std::string restart_file_of(const std::string& pattern)
     };
     if (latest.empty() || is_later(number, latest)) latest = number;
   }
-  if (latest.empty()) refuse(pattern, "for which there is no file");
+  if (latest.empty()) refuse_restart_file(pattern, "for which there is no file");
   return (wanted.parent_path() / with(wanted.filename(), '*', latest)).string();
 }
 
 void check_restart_file(const std::string& file)
 {
   const bool is_split = file.find('%') != std::string::npos;
-  Bytes bytes(with(file, '%', "base"));
+  RestartBytes bytes(with(file, '%', "base"));
   // The walk below does not come to the end where a style of another library has written.
   if (seal_found(file) == SealFound::of_other_bytes) bytes.strange();
   const Head head = take_head(bytes);
@@ -267,7 +185,7 @@ void check_restart_file(const std::string& file)
   std::int64_t grains = 0;
   for (int n = 0; n < head.blocks; ++n) {
     if (is_split) {
-      Bytes part(with(file, '%', std::to_string(n)));
+      RestartBytes part(with(file, '%', std::to_string(n)));
       grains += take_block(part);
     } else {
       grains += take_block(bytes);
@@ -275,8 +193,8 @@ void check_restart_file(const std::string& file)
   }
   if (!is_split) bytes.take_end();
   if (grains != head.grains)
-    refuse(file, "which holds " + std::to_string(grains) + " of its " +
-                     std::to_string(head.grains) + " grains");
+    refuse_restart_file(file, "which holds " + std::to_string(grains) + " of its " +
+                                  std::to_string(head.grains) + " grains");
 }
 
 }  // namespace encased_column

@@ -3,7 +3,7 @@
 
 #include "core/input_error.h"
 #include "files/atomic_file.h"
-#include "files/restart_file.h"
+#include "files/restart_seal.h"
 #include "host/messages.h"
 #include "host/ranks.h"
 

@@ -3,6 +3,7 @@
 // off and with other bytes: taken or one sentence. Instrumented, no byte is read outside of it.
 #include "core/input_error.h"
 #include "files/restart_file.h"
+#include "files/restart_seal.h"
 #include "support/child_program.h"
 
 #include <gtest/gtest.h>

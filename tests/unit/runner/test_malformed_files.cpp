@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Whatever lies in a file that a user writes or may spoil, the answer is one sentence.
 #include "core/input_error.h"
-#include "files/restart_file.h"
+#include "files/restart_seal.h"
 #include "runner/case_record.h"
 #include "runner/case_variables.h"
 #include "runner/series.h"
