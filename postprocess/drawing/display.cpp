@@ -36,6 +36,17 @@ bool display_opens()
   return display != nullptr;
 }
 
+/// The command that gives what stands behind it a display. `-a` takes the next free number but does
+/// not reserve it: two that begin to look at the same one may both take it, so each begins
+/// elsewhere.
+std::vector<std::string> xvfb_run()
+{
+  constexpr int first = 100, numbers = 10000;
+  return {"xvfb-run", "-a",
+          "-n",       std::to_string(first + getpid() % numbers),
+          "-s",       "-screen 0 1280x1024x24 -nolisten tcp"};
+}
+
 }  // namespace
 
 std::string display_problem()
@@ -45,7 +56,9 @@ std::string display_problem()
                            : "pictures take the display that DISPLAY names, found that '" +
                                  std::string(std::getenv("DISPLAY")) +
                                  "' cannot be opened, write 'unset DISPLAY' to draw without one";
-  const Answer answer = answer_of({"xvfb-run", "-a", "true"});
+  std::vector<std::string> words = xvfb_run();
+  words.push_back("true");
+  const Answer answer = answer_of(words);
   if (answer.code == 0) return "";
   const std::string found =
       answer.code == 127 ? "neither"
@@ -60,8 +73,8 @@ void provide_display(const std::vector<std::string>& arguments)
   if (has_display()) return;
 
   // The path the kernel knows: the name this was called by may have been found along PATH.
-  std::vector<std::string> words{"xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -nolisten tcp",
-                                 std::filesystem::read_symlink("/proc/self/exe").string()};
+  std::vector<std::string> words = xvfb_run();
+  words.push_back(std::filesystem::read_symlink("/proc/self/exe").string());
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());

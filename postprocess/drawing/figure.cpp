@@ -127,13 +127,24 @@ void style_axis(vtkAxis* axis, const Axis& given, const std::array<double, 2>& l
   axis->AutoScale();
 }
 
-/// Letters of a title [px]: smaller where it would run over the labels of the axis.
-int title_size(const std::string& title)
+int letters(const std::string& text)
 {
-  constexpr int usual = 20, least = 14, fitting = 62;  // [px, px, letters at the usual size]
-  const auto letters = std::count_if(title.begin(), title.end(),
-                                     [](unsigned char c) { return (c & 0xC0) != 0x80; });  // UTF-8
-  return letters <= fitting ? usual : std::max(least, usual * fitting / static_cast<int>(letters));
+  return static_cast<int>(std::count_if(
+      text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; }));  // UTF-8
+}
+
+/// Letters of a title [px]: smaller where it would run over the labels of the axis, which stand as
+/// far apart as the legend leaves room.
+int title_size(const Panel& panel)
+{
+  constexpr int usual = 20, least = 14;                // [px]
+  constexpr double of_size = 0.52, of_legend = 10.4;   // mean width of a letter [-], [px]
+  constexpr int beside_plot = 110, beside_label = 60;  // labels of the axis; symbols [px]
+  int longest = 0;
+  for (const Series& series : panel.series) longest = std::max(longest, letters(series.label));
+  const double room = width - beside_plot - beside_label - of_legend * longest;
+  const double fitting = room / (of_size * std::max(1, letters(panel.title)));
+  return std::clamp(static_cast<int>(fitting), least, usual);
 }
 
 void add_legend(vtkChartXY* chart)
@@ -155,7 +166,7 @@ void add_panel(vtkContextView* view, const Panel& panel, const vtkRectf& place, 
   chart->SetAutoSize(false);
   chart->SetSize(place);
   if (look.complete) chart->SetTitle(panel.title);
-  set_font(chart->GetTitleProperties(), title_size(panel.title));
+  set_font(chart->GetTitleProperties(), title_size(panel));
   for (const Series& series : panel.series) add_series(chart, series, panel.y.logarithmic);
   style_axis(chart->GetAxis(vtkAxis::BOTTOM), panel.x, range(panel.x, panel.series, &Series::x),
              look, true);
