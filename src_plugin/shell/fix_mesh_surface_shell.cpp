@@ -128,11 +128,13 @@ void FixMeshSurfaceShell::take_loads(bool at_set_up)
 namespace {
 
 /// The grains of a group, as the sleeve looks at them.
+template <typename Fetch>
 struct GrainsOfGroup {
   const double* centers;
   const double* radii;
   const int* mask;
   int groupbit;
+  const Fetch& fetch;
 
   bool counts(int i) const { return mask[i] & groupbit; }
 };
@@ -167,7 +169,12 @@ void FixMeshSurfaceShell::press(Batch& batch, bool advance_memory)
     }
     batch.clear();
   };
-  const GrainsOfGroup group{grains.x, grains.radius, atom->mask, groupbit};
+  const auto fetch = [&](int n, int i) __attribute__((always_inline)) {
+    grains.fetch_for_law(i);
+    context_.fetch_mass(i);
+    __builtin_prefetch(contact_memory(n), 1);
+  };
+  const GrainsOfGroup<decltype(fetch)> group{grains.x, grains.radius, atom->mask, groupbit, fetch};
   if (const auto behind = sleeve_->press_grains(group, law))
     stop_from_one_rank(
         lmp, sleeve_->sentence_of(*behind, atom->tag[behind->grain], id, update->ntimestep));

@@ -14,7 +14,6 @@ namespace {
 
 /// Part of the margin by which grain and sleeve may move before all facets near by are looked at.
 constexpr double look_again = 0.1;
-constexpr int not_known = -1;  ///< how many facets are close
 
 double distance_to_facet(const FacetVectors& corner, const Vec3& from)
 {
@@ -33,6 +32,7 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
   grid_.sort(model.facet(), model.position());
   grain_.clear();
   near_.clear();
+  hold_.clear();
   facet_.clear();
   const HeightBands bands(model.facet(), model.position());
   int most = 0;
@@ -48,11 +48,13 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
     if (end == begin) continue;
     grain_.push_back(i);
     // Nothing is known of its gaps: it is looked at as soon as contacts are asked for.
-    near_.push_back({begin, end, not_known, -1.0, 0.0, center, radii[i], listed_travel_});
+    near_.push_back({begin, end, not_known, 0.0, radii[i], listed_travel_});
+    hold_.push_back({center, -std::numeric_limits<double>::infinity()});
     most = std::max(most, end - begin);
   }
   close_.resize(facet_.size());
   gap_.resize(facet_.size());
+  pick_.resize(grain_.size());
   touches_.make_room((in_block + 1) * most);  // of a block, and those of one grain
   merged_.reserve(most);
 }
@@ -69,11 +71,12 @@ bool SleeveContacts::is_stale(const ShellModel& model) const
 // Most facets near by stay out of reach for hundreds of steps. A gap d seen after the grain has
 // moved by m and the sleeve by s counts as one of d - m + s at the start: it closes no faster than
 // both move on, and the grain may first move back.
-void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center, double radius,
-                             double closed_by_others)
+void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center, double radius)
 {
   Near& near = near_[n];
-  const double moved = (center - near.center).norm(), closed = closed_by_others + moved;
+  Hold& hold = hold_[n];
+  const double moved = (center - hold.center).norm();
+  const double closed = (model.travel() - near.travel) + (radius - near.radius) + moved;
   Look& look = look_[looks_++];
   const bool all = near.close == not_known || closed > look_again * margin_;
   look = {n, touches_.count(), 0, closed, moved, all};
@@ -81,7 +84,7 @@ void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center,
     touches_.add(f, model.facet()[f], model.position(), center, radius);
   };
   if (look.all) {
-    near.center = center, near.radius = radius, near.travel = model.travel();
+    hold.center = center, near.radius = radius, near.travel = model.travel();
     look.closed = look.moved = 0.0;
     for (int m = near.begin; m < near.end; ++m) add(facet_[m]);
   } else {
@@ -109,12 +112,13 @@ void SleeveContacts::take_gaps(const Look& look)
       gap_[m] = gap;
     }
   }
-  near.clear = near.clear_rest;
+  double clear = near.clear_rest;
   for (int m = near.begin; m < near.begin + near.close; ++m) {
     if (!look.all && !(gap_[m] > look.closed))
       gap_[m] = touches_.gap(p++) + look.closed - 2.0 * look.moved;
-    near.clear = std::min(near.clear, gap_[m]);
+    clear = std::min(clear, gap_[m]);
   }
+  hold_[look.n].until = clear + near.travel + near.radius;
 }
 
 std::optional<GrainBehind> SleeveContacts::find_contacts()

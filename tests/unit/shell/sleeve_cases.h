@@ -52,6 +52,7 @@ struct SomeGrains {
   std::vector<double> radii;
 
   bool counts(int) const { return true; }
+  void fetch(int, int) const {}
 };
 
 /// What one grain at `center` did, or that it is behind the sleeve.
