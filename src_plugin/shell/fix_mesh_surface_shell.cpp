@@ -169,7 +169,8 @@ void FixMeshSurfaceShell::press(Batch& batch, bool advance_memory)
     }
     batch.clear();
   };
-  const auto fetch = [&](int n, int i) __attribute__((always_inline)) {
+  const auto fetch = [&](int n, int i) __attribute__((always_inline))
+  {
     grains.fetch_for_law(i);
     context_.fetch_mass(i);
     __builtin_prefetch(contact_memory(n), 1);

@@ -2,7 +2,6 @@
 #include "shell/sleeve_contacts.h"
 
 #include "shell/height_bands.h"
-#include "shell/nearest_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +13,6 @@ namespace {
 
 /// Part of the margin by which grain and sleeve may move before all facets near by are looked at.
 constexpr double look_again = 0.1;
-
-double distance_to_facet(const FacetVectors& corner, const Vec3& from)
-{
-  const Vec3 weight = nearest_on_triangle(corner[0], corner[1], corner[2], from);
-  return (weight(0) * corner[0] + weight(1) * corner[1] + weight(2) * corner[2] - from).norm();
-}
 
 }  // namespace
 
@@ -41,9 +34,14 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
     const double reach = radii[i] + 1.5 * margin;
     if (bands.is_clear(center, reach)) continue;  // most grains
     const int begin = static_cast<int>(facet_.size());
+    touches_.clear();
     grid_.near(center, reach, [&](int f) {
-      if (distance_to_facet(model.corners(f), center) < reach) facet_.push_back(f);
+      touches_.make_room(touches_.count() + 1);
+      touches_.add(f, model.facet()[f], model.position(), center, radii[i]);
     });
+    touches_.find_nearest(0);
+    for (int p = 0; p < touches_.count(); ++p)
+      if (touches_.gap(p) < reach - radii[i]) facet_.push_back(touches_.facet(p));
     const int end = static_cast<int>(facet_.size());
     if (end == begin) continue;
     grain_.push_back(i);
@@ -56,7 +54,6 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
   gap_.resize(facet_.size());
   pick_.resize(grain_.size());
   touches_.make_room((in_block + 1) * most);  // of a block, and those of one grain
-  merged_.reserve(most);
 }
 
 bool SleeveContacts::is_stale(const ShellModel& model) const
@@ -126,10 +123,11 @@ std::optional<GrainBehind> SleeveContacts::find_contacts()
   if (looks_ == 0) return {};
   int kept = look_[0].first;
   touches_.find_nearest(kept);
+  const int before = contacts_;
   for (int l = 0; l < looks_; ++l) {
     const Look& look = look_[l];
     take_gaps(look);
-    Pairs pairs{kept, kept};
+    FacetPairs pairs{kept, kept};
     for (int p = look.first; p < look.last; ++p)
       if (touches_.gap(p) < 0.0) touches_.move(p, kept++);
     pairs.last = kept;
@@ -140,9 +138,11 @@ std::optional<GrainBehind> SleeveContacts::find_contacts()
     contact.n = look.n;
     contact.grain = grain;
     contact.surface = {};
-    merge(pairs, contact.merged);
     pairs_[contacts_++] = pairs;
   }
+  std::array<MergedContact, in_block> merged;
+  touches_.merge(pairs_.data() + before, contacts_ - before, merged.data());
+  for (int c = before; c < contacts_; ++c) contact_[c].merged = merged[c - before];
   touches_.keep_first(kept);
   return {};
 }
@@ -150,7 +150,7 @@ std::optional<GrainBehind> SleeveContacts::find_contacts()
 // Over an edge or a node several facets are as deep. At a sharp fold the direction may point
 // against the normal of one of them on the right side too: the one it is most along tells the side.
 // A center in the surface has no direction and counts as behind.
-bool SleeveContacts::is_behind(const Pairs& pairs) const
+bool SleeveContacts::is_behind(const FacetPairs& pairs) const
 {
   if (pairs.last == pairs.first + 1) return !(touches_.side(pairs.first) > 0.0);  // most of them
   double nearest = 0.0, side = 0.0;
@@ -160,25 +160,6 @@ bool SleeveContacts::is_behind(const Pairs& pairs) const
     if (touches_.gap(p) <= 0.999 * nearest && std::abs(cosine) > std::abs(side)) side = cosine;
   }
   return !(side > 0.0);
-}
-
-void SleeveContacts::merge(const Pairs& pairs, MergedContact& merged)
-{
-  const int first = pairs.first;
-  if (pairs.last == first + 1) {
-    merged.overlap = -touches_.gap(first);
-    merged.normal = touches_.direction(first);
-    merged.stiffening = 1.0;
-  } else {
-    merged_.clear();
-    for (int p = first; p < pairs.last; ++p) merged_.push_back(touches_.touch(p));
-    merged = merge_touches(merged_);
-  }
-  const double arm = contact_arm(touches_.radius(first), merged.overlap);
-  const Vec3 point = touches_.center(first) + arm * merged.normal;
-  if (pairs.last == first + 1) return touches_.join(first, 1.0, 1.0, point);
-  for (int p = first; p < pairs.last; ++p)
-    touches_.join(p, merged_[p - first].pull, merged_[p - first].share, point);
 }
 
 void SleeveContacts::find_motion(int count, const ShellModel& model)

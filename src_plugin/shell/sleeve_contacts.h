@@ -66,9 +66,9 @@ class SleeveContacts {
   /// statically equivalent. `law` answers a contact, a SleeveReaction of a SleeveContact, or those
   /// of a block at once: (contacts, their number, reactions). Grains tells `centers`, `radii`,
   /// after a new list whether a grain `counts(i)`, and may `fetch(n, i)` into the cache what the
-  /// law is likely to need soon of grain i, which is grains()[n]. A sleeve that stands still takes no load: `moves` is false. With
-  /// `bound`, adds to it what each contact adds to the stiffness of its nodes. Ends at the first
-  /// grain that is behind the sleeve.
+  /// law is likely to need soon of grain i, which is grains()[n]. A sleeve that stands still takes
+  /// no load: `moves` is false. With `bound`, adds to it what each contact adds to the stiffness of
+  /// its nodes. Ends at the first grain that is behind the sleeve.
   template <typename Grains, typename Law>
   std::optional<GrainBehind> resolve(ShellModel& model, bool moves, const Grains& grains,
                                      std::vector<StiffnessBound>* bound, const Law& law)
@@ -89,7 +89,7 @@ class SleeveContacts {
   double vertical_force() const { return vertical_force_; }
 
  private:
-  static constexpr int not_known = -1;  ///< how many facets are close
+  static constexpr int not_known = -1;      ///< how many facets are close
   static constexpr int fetched_ahead = 24;  ///< grains that are looked at
 
   /// A grain near the sleeve as it was when all its facets were looked at.
@@ -112,11 +112,6 @@ class SleeveContacts {
     double moved;   ///< by the grain [m]
     bool all;       ///< of its facets are looked at
   };
-  /// Pairs of a contact, from `first` to before `last`.
-  struct Pairs {
-    int first, last;
-  };
-
   /// Picks the grains to look at, without a branch: which ones cannot be guessed, and a wrong guess
   /// waits for memory.
   template <typename Grains>
@@ -126,6 +121,7 @@ class SleeveContacts {
     const double travel = model.travel();
     const int all = static_cast<int>(grain_.size());
     for (int n = 0; n < all; ++n) {
+      __builtin_prefetch(grains.centers + 3 * grain_[std::min(n + 2 * fetched_ahead, all - 1)]);
       const int i = grain_[n];
       const Hold& hold = hold_[n];
       const double left = hold.until - travel - grains.radii[i];
@@ -170,8 +166,7 @@ class SleeveContacts {
   void look_at(const ShellModel& model, int n, const Vec3& center, double radius);
   void take_gaps(const Look& look);
   std::optional<GrainBehind> find_contacts();
-  bool is_behind(const Pairs& pairs) const;
-  void merge(const Pairs& pairs, MergedContact& merged);
+  bool is_behind(const FacetPairs& pairs) const;
   void find_motion(int count, const ShellModel& model);
   void take_reactions(int count, ShellModel& model, bool moves, std::vector<StiffnessBound>* bound);
   void forget(int count);
@@ -191,10 +186,9 @@ class SleeveContacts {
   int picked_ = 0, looks_ = 0, contacts_ = 0;
   std::array<Look, in_block> look_;
   std::array<SleeveContact, 2 * in_block> contact_;
-  std::array<Pairs, 2 * in_block> pairs_;
+  std::array<FacetPairs, 2 * in_block> pairs_;
   std::array<SleeveReaction, in_block> reaction_;
   FacetTouches touches_;
-  std::vector<FacetTouch> merged_;
 };
 
 }  // namespace encased_column
