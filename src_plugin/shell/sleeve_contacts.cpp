@@ -51,7 +51,6 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
     most = std::max(most, end - begin);
   }
   close_.resize(facet_.size());
-  gap_.resize(facet_.size());
   pick_.resize(grain_.size());
   touches_.make_room((in_block + 1) * most);  // of a block, and those of one grain
 }
@@ -86,7 +85,7 @@ void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center,
     for (int m = near.begin; m < near.end; ++m) add(facet_[m]);
   } else {
     for (int m = near.begin; m < near.begin + near.close; ++m)
-      if (!(gap_[m] > closed)) add(close_[m]);
+      if (!(close_[m].gap > closed)) add(close_[m].facet);
   }
   look.last = touches_.count();
 }
@@ -104,16 +103,14 @@ void SleeveContacts::take_gaps(const Look& look)
         near.clear_rest = std::min(near.clear_rest, gap);
         continue;
       }
-      const int m = near.begin + near.close++;
-      close_[m] = touches_.facet(p);
-      gap_[m] = gap;
+      close_[near.begin + near.close++] = {gap, touches_.facet(p)};
     }
   }
   double clear = near.clear_rest;
   for (int m = near.begin; m < near.begin + near.close; ++m) {
-    if (!look.all && !(gap_[m] > look.closed))
-      gap_[m] = touches_.gap(p++) + look.closed - 2.0 * look.moved;
-    clear = std::min(clear, gap_[m]);
+    double& gap = close_[m].gap;
+    if (!look.all && !(gap > look.closed)) gap = touches_.gap(p++) + look.closed - 2.0 * look.moved;
+    clear = std::min(clear, gap);
   }
   hold_[look.n].until = clear + near.travel + near.radius;
 }

@@ -105,6 +105,10 @@ class SleeveContacts {
     Vec3 center;
     double until;
   };
+  struct Close {
+    double gap;  ///< between the facet and the grain [m]
+    int facet;
+  };
   /// A grain that is looked at and its pairs.
   struct Look {
     int n, first, last;
@@ -136,8 +140,13 @@ class SleeveContacts {
   {
     looks_ = 0;
     for (; m < picked_ && looks_ < in_block; ++m) {
-      if (const int next = m + fetched_ahead; next < picked_)
-        grains.fetch(pick_[next], grain_[pick_[next]]);
+      if (const int next = m + fetched_ahead; next < picked_) {
+        const int n = pick_[next];
+        grains.fetch(n, grain_[n]);
+        __builtin_prefetch(&close_[near_[n].begin]);
+      }
+      if (const int next = m + 2 * fetched_ahead; next < picked_)
+        __builtin_prefetch(&near_[pick_[next]]);
       const int n = pick_[m], i = grain_[n];
       const Near& near = near_[n];
       if (near.close == not_known && !grains.counts(i)) {
@@ -176,12 +185,11 @@ class SleeveContacts {
   double margin_ = 0.0, listed_travel_ = 0.0, vertical_force_ = 0.0;
   std::vector<Vec3> listed_position_;
   std::vector<int> grain_;
-  std::vector<Near> near_;   ///< of each grain
-  std::vector<Hold> hold_;   ///< of each grain
-  std::vector<int> pick_;    ///< places in the list of those to look at, the first `picked_`
-  std::vector<int> facet_;   ///< of all grains, those of a grain in a row
-  std::vector<int> close_;   ///< the close ones of each grain, from its `begin` on
-  std::vector<double> gap_;  ///< of each of these, between it and its grain [m]
+  std::vector<Near> near_;    ///< of each grain
+  std::vector<Hold> hold_;    ///< of each grain
+  std::vector<int> pick_;     ///< places in the list of those to look at, the first `picked_`
+  std::vector<int> facet_;    ///< of all grains, those of a grain in a row
+  std::vector<Close> close_;  ///< the close ones of each grain, from its `begin` on
   // Grains that are looked at, contacts that were found and not yet seen to:
   int picked_ = 0, looks_ = 0, contacts_ = 0;
   std::array<Look, in_block> look_;
