@@ -72,7 +72,7 @@ class ContactContext {
   /// left out.
   [[gnu::always_inline]] void fetch_mass(int i) const
   {
-    if (mass_scaling_) __builtin_prefetch(mass_scaling_->inertial_masses().data() + i);
+    if (mass_scaling_) __builtin_prefetch(mass_scaling_->inertial_masses().data() + i, 0, 2);
   }
   /// Grain i touches a wall: its mass must allow for the contact's springs from this step on.
   void raise_mass_for_contact(int i, const ContactStiffness& k)
