@@ -5,6 +5,7 @@
 
 #include "shell/facet_touches.h"
 
+#include "contact/resolve_contact.h"
 #include "shell/contact_to_nodes.h"
 #include "shell/nearest_point.h"
 
@@ -46,15 +47,6 @@ void FacetTouches::move(int from, int to)
   tile.point.set(n, old.point.at(m));
 }
 
-void FacetTouches::join(int p, double pull, double share, const Vec3& point)
-{
-  Tile& tile = tile_of(p);
-  const int n = p % size;
-  tile.pull[n] = pull;
-  tile.share[n] = share;
-  tile.point.set(n, point);
-}
-
 /// Of a tile those before pair number `pairs`, and some more, so that no vector is left over.
 int FacetTouches::lanes(int tile, int pairs)
 {
@@ -86,15 +78,67 @@ ENCASE_VECTOR_UNITS [[gnu::flatten]] void FacetTouches::find_nearest(Tile& tile,
   for (int n = first; n < lanes; ++n) nearest_of(tile, n);
 }
 
+void FacetTouches::join(Merging& merging, int n)
+{
+  const JoinedTouches touches =
+      joined({merging.deepest[n], merging.powers[n], merging.weights[n], merging.gradient.at(n)});
+  const MergedContact& contact = touches.contact;
+  merging.overlap[n] = contact.overlap;
+  merging.normal.set(n, contact.normal);
+  merging.stiffening[n] = contact.stiffening;
+  merging.pull[n] = touches.pull;
+  merging.share[n] = touches.share;
+  merging.point.set(
+      n, merging.center.at(n) + contact_arm(merging.radius[n], contact.overlap) * contact.normal);
+}
+
+ENCASE_VECTOR_UNITS [[gnu::flatten]] void FacetTouches::join_all(Merging& merging, int lanes)
+{
+#pragma omp simd
+  for (int n = 0; n < lanes; ++n) join(merging, n);
+}
+
+void FacetTouches::merge(const FacetPairs* pairs, int count, MergedContact* merged)
+{
+  for (int c = 0; c < count; ++c) {
+    TouchSum sum{0.0};
+    for (int p = pairs[c].first; p < pairs[c].last; ++p)
+      sum.deepest = std::max(sum.deepest, -gap(p));
+    const double inverse = 1.0 / sum.deepest;
+    for (int p = pairs[c].first; p < pairs[c].last; ++p) {
+      Tile& tile = tile_of(p);
+      const int n = p % size;
+      tile.pull[n] = tile.share[n] = sum.add(inverse * -tile.gap[n], tile.direction.at(n));
+    }
+    const int first = pairs[c].first;
+    merging_.center.set(c, tile_of(first).center.at(first % size));
+    merging_.radius[c] = tile_of(first).radius[first % size];
+    merging_.deepest[c] = sum.deepest;
+    merging_.powers[c] = sum.powers;
+    merging_.weights[c] = sum.weights;
+    merging_.gradient.set(c, sum.gradient);
+  }
+  join_all(merging_, lanes(0, count));
+  for (int c = 0; c < count; ++c) {
+    merged[c] = {merging_.overlap[c], merging_.normal.at(c), merging_.stiffening[c]};
+    for (int p = pairs[c].first; p < pairs[c].last; ++p) {
+      Tile& tile = tile_of(p);
+      const int n = p % size;
+      tile.pull[n] *= merging_.pull[c];
+      tile.share[n] *= merging_.share[c];
+      tile.point.set(n, merging_.point.at(c));
+    }
+  }
+}
+
 void FacetTouches::motion_of(Tile& tile, int n)
 {
   const FacetLever lever({tile.corner[0].at(n), tile.corner[1].at(n), tile.corner[2].at(n)},
                          tile.point.at(n));
-  const std::array<Vec3, 3> velocity{tile.node_velocity[0].at(n), tile.node_velocity[1].at(n),
-                                     tile.node_velocity[2].at(n)};
+  const std::array<Vec3, 3> velocity{tile.nodal[0].at(n), tile.nodal[1].at(n), tile.nodal[2].at(n)};
   const Vec3 spin = lever.spin(velocity);
-  tile.velocity.set(n, tile.share[n] * lever.velocity(velocity, spin));
-  tile.spin.set(n, tile.share[n] * spin);
+  tile.linear.set(n, tile.share[n] * lever.velocity(velocity, spin));
+  tile.angular.set(n, tile.share[n] * spin);
 }
 
 ENCASE_VECTOR_UNITS [[gnu::flatten]] void FacetTouches::find_motion(Tile& tile, int lanes)
@@ -108,10 +152,11 @@ void FacetTouches::forces_of(Tile& tile, int n)
   const FacetLever lever({tile.corner[0].at(n), tile.corner[1].at(n), tile.corner[2].at(n)},
                          tile.point.at(n));
   const Vec3 normal = (tile.normal_force[n] * tile.pull[n]) * tile.direction.at(n);
-  const Vec3 shear = tile.share[n] * tile.shear.at(n), moment = tile.share[n] * tile.moment.at(n);
+  const Vec3 shear = tile.share[n] * tile.linear.at(n);
+  const Vec3 moment = tile.share[n] * tile.angular.at(n);
   const Vec3 weight = tile.weight.at(n);
   const std::array<Vec3, 3> along = lever.nodal_forces(shear, moment);
-  for (int i = 0; i < 3; ++i) tile.node_force[i].set(n, weight(i) * normal + along[i]);
+  for (int i = 0; i < 3; ++i) tile.nodal[i].set(n, weight(i) * normal + along[i]);
 }
 
 ENCASE_VECTOR_UNITS [[gnu::flatten]] void FacetTouches::find_forces(Tile& tile, int lanes)
@@ -133,7 +178,7 @@ void FacetTouches::find_motion(int pairs, const std::vector<Vec3>& velocity)
   for (int p = 0; p < pairs; ++p) {
     Tile& tile = tile_of(p);
     const int n = p % size;
-    for (int i = 0; i < 3; ++i) tile.node_velocity[i].set(n, velocity[tile.node[n][i]]);
+    for (int i = 0; i < 3; ++i) tile.nodal[i].set(n, velocity[tile.node[n][i]]);
   }
   for (int t = 0; t * size < pairs; ++t) find_motion(tiles_[t], lanes(t, pairs));
 }
@@ -144,7 +189,7 @@ void FacetTouches::press(int pairs, Vec3* force)
   for (int p = 0; p < pairs; ++p) {
     const Tile& tile = tile_of(p);
     const int n = p % size;
-    for (int i = 0; i < 3; ++i) force[tile.node[n][i]] += tile.node_force[i].at(n);
+    for (int i = 0; i < 3; ++i) force[tile.node[n][i]] += tile.nodal[i].at(n);
   }
 }
 

@@ -15,6 +15,11 @@ struct SurfaceMotion {
   Vec3 spin = Vec3::Zero();      ///< [rad/s]
 };
 
+/// Pairs of a contact, from `first` to before `last`.
+struct FacetPairs {
+  int first, last;
+};
+
 /// Spheres and facets near each other, pair by pair side by side, so that the vector units of the
 /// machine see to several at once: where they are nearest, how the surface moves at a contact, and
 /// what the nodes feel. Pairs have numbers in the order in which they were added.
@@ -49,18 +54,14 @@ class FacetTouches {
   /// where the center lies in the facet.
   double side(int p) const { return tile_of(p).side[p % size]; }
   Vec3 weight(int p) const { return tile_of(p).weight.at(p % size); }
-  Vec3 direction(int p) const { return tile_of(p).direction.at(p % size); }
-  Vec3 center(int p) const { return tile_of(p).center.at(p % size); }
-  double radius(int p) const { return tile_of(p).radius[p % size]; }
-  FacetTouch touch(int p) const { return {facet_[p], weight(p), direction(p), -gap(p), 0.0, 0.0}; }
 
   /// Puts pair `from` in the place `to`, which is not behind it.
   void move(int from, int to);
   /// Forgets the pairs from `count` on.
   void keep_first(int count) { count_ = count; }
-  /// Of a pair that touches: its pull and share in its merged contact, as merge_touches() sets
-  /// them, and the point of that contact [m].
-  void join(int p, double pull, double share, const Vec3& point);
+  static constexpr int size = 32;  ///< contacts at most that are merged at once
+  /// Merges the pairs of each of `count` contacts, all of which touch.
+  void merge(const FacetPairs* pairs, int count, MergedContact* merged);
   double share(int p) const { return tile_of(p).share[p % size]; }
 
   /// Finds what the first `pairs` add to the motion of the surface, from the velocities of the
@@ -69,7 +70,7 @@ class FacetTouches {
   /// The part of a pair: its share times the motion of its facet.
   SurfaceMotion motion(int p) const
   {
-    return {tile_of(p).velocity.at(p % size), tile_of(p).spin.at(p % size)};
+    return {tile_of(p).linear.at(p % size), tile_of(p).angular.at(p % size)};
   }
 
   /// What the contact of a pair does to the sleeve: the normal force [N], shear force [N] and
@@ -79,25 +80,29 @@ class FacetTouches {
     Tile& tile = tile_of(p);
     const int n = p % size;
     tile.normal_force[n] = normal_force;
-    tile.shear.set(n, shear);
-    tile.moment.set(n, moment);
+    tile.linear.set(n, shear);
+    tile.angular.set(n, moment);
   }
   /// Adds the loads of the first `pairs` to the forces of the nodes [N]: the normal force along the
   /// facets' directions by their pull, shear force and moment at the contact by their share.
   void press(int pairs, Vec3* force);
 
  private:
-  static constexpr int size = 32;
   using Numbers = double[size];
   using Row = VectorRow<size>;
   struct alignas(64) Tile {
     Row corner[3];
     Row center, weight, direction, point;
     Numbers radius, gap, side, pull, share;
-    Row node_velocity[3], velocity, spin;
+    Row nodal[3];         ///< velocities, then forces
+    Row linear, angular;  ///< velocity and spin of the surface, then shear force and moment
     Numbers normal_force;
-    Row shear, moment, node_force[3];
     Facet node[size];
+  };
+  /// Contacts and the sums over their pairs.
+  struct alignas(64) Merging {
+    Row center, gradient, normal, point;
+    Numbers radius, deepest, powers, weights, overlap, stiffening, pull, share;
   };
 
   Tile& tile_of(int p) { return tiles_[p / size]; }
@@ -106,6 +111,8 @@ class FacetTouches {
   static void nearest_of(Tile& tile, int n);
   static void motion_of(Tile& tile, int n);
   static void forces_of(Tile& tile, int n);
+  static void join(Merging& merging, int n);
+  static void join_all(Merging& merging, int lanes);
   static void find_nearest(Tile& tile, int first, int lanes);
   static void find_motion(Tile& tile, int lanes);
   static void find_forces(Tile& tile, int lanes);
@@ -113,6 +120,7 @@ class FacetTouches {
   int count_ = 0;
   std::vector<int> facet_;
   std::vector<Tile> tiles_;
+  Merging merging_{};
 };
 
 }  // namespace encased_column

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "shell/fix_mesh_surface_shell.h"
 
-#include "host/grains_and_box.h"
 #include "host/messages.h"
 #include "host/restart_block.h"
 #include "shell/sleeve_input.h"
@@ -125,20 +124,6 @@ void FixMeshSurfaceShell::take_loads(bool at_set_up)
     press(batch_, !at_set_up);
 }
 
-namespace {
-
-/// The grains of a group, as the sleeve looks at them.
-struct GrainsOfGroup {
-  const double* centers;
-  const double* radii;
-  const int* mask;
-  int groupbit;
-
-  bool counts(int i) const { return mask[i] & groupbit; }
-};
-
-}  // namespace
-
 template <typename Batch>
 void FixMeshSurfaceShell::press(Batch& batch, bool advance_memory)
 {
@@ -167,8 +152,7 @@ void FixMeshSurfaceShell::press(Batch& batch, bool advance_memory)
     }
     batch.clear();
   };
-  const GrainsOfGroup group{grains.x, grains.radius, atom->mask, groupbit};
-  if (const auto behind = sleeve_->press_grains(group, law))
+  if (const auto behind = sleeve_->press_grains(GrainsOfGroup{*this, grains}, law))
     stop_from_one_rank(
         lmp, sleeve_->sentence_of(*behind, atom->tag[behind->grain], id, update->ntimestep));
 }

@@ -4,6 +4,7 @@
 #include "contact/contact_context.h"
 #include "contact/contact_memory_fix.h"
 #include "core/keyword_table.h"
+#include "host/grains_and_box.h"
 #include "host/ranks.h"
 #include "shell/sleeve.h"
 #include "specimen/lateral_boundary.h"
@@ -73,6 +74,23 @@ class FixMeshSurfaceShell : public ContactMemoryFix, public LateralBoundary {
   double friction_force() const { return sum_over_ranks(sleeve_->vertical_force(), world); }
 
  private:
+  /// The grains of its group, as the sleeve looks at them.
+  struct GrainsOfGroup {
+    FixMeshSurfaceShell& fix;
+    const GrainArrays& arrays;
+    const double* centers = arrays.x;
+    const double* radii = arrays.radius;
+
+    bool counts(int i) const { return fix.atom->mask[i] & fix.groupbit; }
+    /// Inline, as what it calls: a call that returns nothing would be left out.
+    [[gnu::always_inline]] void fetch(int n, int i) const
+    {
+      arrays.fetch_for_law(i);
+      fix.context_.fetch_mass(i);
+      __builtin_prefetch(fix.contact_memory(n), 1, 2);
+    }
+  };
+
   SleeveStep step_now() const { return {update->ntimestep, update->dt}; }
   void read_pressure(const Options& options);
   void take_loads(bool at_set_up);

@@ -36,10 +36,10 @@ int HeightBands::band_of(double z) const
   return band < size() ? static_cast<int>(band) : size() - 1;
 }
 
-double HeightBands::distance(const Band& band, const Vec3& point)
+double HeightBands::square_distance(const Band& band, const Vec3& point)
 {
   const double x = point.x() - band.x, y = point.y() - band.y;
-  return std::sqrt(x * x + y * y);
+  return x * x + y * y;
 }
 
 // A facet lies in a circle about its center of gravity.
@@ -60,7 +60,7 @@ void HeightBands::free_middle(Band& band, const std::vector<Facet>& facet,
     double size = 0.0;
     for (const int node : facet[n])
       size = std::max(size, (position[node] - center(n)).head<2>().norm());
-    free = std::min(free, distance(band, center(n)) - size);
+    free = std::min(free, std::sqrt(square_distance(band, center(n))) - size);
   }
   band.free = std::max(free, 0.0);
 }
@@ -68,8 +68,10 @@ void HeightBands::free_middle(Band& band, const std::vector<Facet>& facet,
 bool HeightBands::is_clear(const Vec3& point, double reach) const
 {
   const int last = band_of(point.z() + reach);
-  for (int b = band_of(point.z() - reach); b <= last; ++b)
-    if (distance(bands_[b], point) + reach >= bands_[b].free) return false;
+  for (int b = band_of(point.z() - reach); b <= last; ++b) {
+    const double room = bands_[b].free - reach;
+    if (!(room > 0.0) || square_distance(bands_[b], point) >= room * room) return false;
+  }
   return true;
 }
 

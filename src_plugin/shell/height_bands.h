@@ -26,7 +26,7 @@ class HeightBands {
   /// True where `point` lies in the cylinder about the middle of its band that is free of facets.
   bool is_in_free_middle(const Vec3& point, int band) const
   {
-    return distance(bands_[band], point) < bands_[band].free;
+    return square_distance(bands_[band], point) < bands_[band].free * bands_[band].free;
   }
   /// True where no facet comes within `reach` [m] of `point`; false may be wrong.
   bool is_clear(const Vec3& point, double reach) const;
@@ -38,7 +38,7 @@ class HeightBands {
     double free = 0.0;        ///< radius about (x, y) free of facets [m]
   };
 
-  static double distance(const Band& band, const Vec3& point);
+  static double square_distance(const Band& band, const Vec3& point);
   static void free_middle(Band& band, const std::vector<Facet>& facet,
                           const std::vector<Vec3>& position);
 

@@ -79,6 +79,12 @@ void ShellModel::clear_loads()
   std::fill(external_.begin(), external_.end(), Vec3::Zero());
 }
 
+void ShellModel::load_external()
+{
+  std::copy(external_.begin(), external_.end(), load_.begin());
+  std::fill(load_.begin() + nodes(), load_.end(), Vec3::Zero());
+}
+
 FacetVectors ShellModel::corners(int facet) const
 {
   const Facet& node = facet_[facet];

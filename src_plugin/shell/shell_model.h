@@ -20,9 +20,10 @@ struct StepWork {
 
 /// A sleeve: nodes, facets, and the explicit integrator that moves them.
 ///
-/// One step is: clear_loads(); add_internal_loads() over a range of facets, pressure and contacts
-/// onto load(); where ranks share the facets, one sum of load() over them; advance(). Every node is
-/// known everywhere, so advance() gives the same on every rank. No step allocates memory.
+/// One step is: clear_loads() or load_external(); add_internal_loads() over a range of facets and
+/// contacts onto load(); where ranks share the facets, one sum of load() over them; advance().
+/// Every node is known everywhere, so advance() gives the same on every rank. No step allocates
+/// memory.
 class ShellModel {
  public:
   /// `axis` is the axial direction of the material. Throws InputError for a facet without area.
@@ -54,9 +55,9 @@ class ShellModel {
   const Vec3& force(int node) const { return load_[node]; }
   const Vec3& moment(int node) const { return load_[nodes() + node]; }
 
-  /// Part of the loads [N], one vector a node, of which advance() tells the work; the caller that
-  /// sets it adds it to load() as well. Where ranks share the facets, each holds its part and gets
-  /// its part of the work.
+  /// Part of the loads [N], one vector a node, of which advance() tells the work; load() has it
+  /// from load_external() or from the caller. Where ranks share the facets, each holds its part and
+  /// gets its part of the work.
   std::vector<Vec3>& external() { return external_; }
 
   std::vector<Support>& support() { return support_; }
@@ -68,6 +69,8 @@ class ShellModel {
   void set_masses(const std::vector<double>& mass, const std::vector<double>& inertia);
 
   void clear_loads();
+  /// Puts external() in place of all loads: less to write than to clear them and to add it.
+  void load_external();
   /// Adds the internal forces and moments of facets [first, last); returns their energy [J]. Before
   /// that a cloth yields and tears by the loads of the call before, unless `at_set_up`.
   double add_internal_loads(int first, int last, bool at_set_up = false);

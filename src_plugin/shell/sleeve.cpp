@@ -109,16 +109,15 @@ void Sleeve::advance(double dt, const std::array<double, 2>& platen_speeds)
 
 void Sleeve::start_loads(const SleeveStep& step, const HeightWindow& window, bool at_set_up)
 {
-  model_.clear_loads();
   vertical_force_ = 0.0;
   masses_.start(step, at_set_up, control_.rigid, model_.nodes());
-  if (control_.rigid) return;
-  energy_ = model_.add_internal_loads(first_, last_, at_set_up);
-  if (const double pressure = pressure_.at(step.number); pressure != 0.0) {
+  std::vector<Vec3>& external = model_.external();
+  std::fill(external.begin(), external.end(), Vec3::Zero());
+  if (const double pressure = pressure_.at(step.number); pressure != 0.0 && !control_.rigid)
     add_pressure(model_.facet(), model_.position(), first_, last_, -pressure,
-                 control_.pressed_everywhere ? HeightWindow() : window, model_.external());
-    for (int i = 0; i < model_.nodes(); ++i) model_.force(i) += model_.external()[i];
-  }
+                 control_.pressed_everywhere ? HeightWindow() : window, external);
+  model_.load_external();
+  if (!control_.rigid) energy_ = model_.add_internal_loads(first_, last_, at_set_up);
 }
 
 void Sleeve::find_reactions()

@@ -2,7 +2,6 @@
 #include "shell/sleeve_contacts.h"
 
 #include "shell/height_bands.h"
-#include "shell/nearest_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +13,6 @@ namespace {
 
 /// Part of the margin by which grain and sleeve may move before all facets near by are looked at.
 constexpr double look_again = 0.1;
-constexpr int not_known = -1;  ///< how many facets are close
-
-double distance_to_facet(const FacetVectors& corner, const Vec3& from)
-{
-  const Vec3 weight = nearest_on_triangle(corner[0], corner[1], corner[2], from);
-  return (weight(0) * corner[0] + weight(1) * corner[1] + weight(2) * corner[2] - from).norm();
-}
 
 }  // namespace
 
@@ -33,6 +25,7 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
   grid_.sort(model.facet(), model.position());
   grain_.clear();
   near_.clear();
+  hold_.clear();
   facet_.clear();
   const HeightBands bands(model.facet(), model.position());
   int most = 0;
@@ -41,20 +34,25 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
     const double reach = radii[i] + 1.5 * margin;
     if (bands.is_clear(center, reach)) continue;  // most grains
     const int begin = static_cast<int>(facet_.size());
+    touches_.clear();
     grid_.near(center, reach, [&](int f) {
-      if (distance_to_facet(model.corners(f), center) < reach) facet_.push_back(f);
+      touches_.make_room(touches_.count() + 1);
+      touches_.add(f, model.facet()[f], model.position(), center, radii[i]);
     });
+    touches_.find_nearest(0);
+    for (int p = 0; p < touches_.count(); ++p)
+      if (touches_.gap(p) < reach - radii[i]) facet_.push_back(touches_.facet(p));
     const int end = static_cast<int>(facet_.size());
     if (end == begin) continue;
     grain_.push_back(i);
     // Nothing is known of its gaps: it is looked at as soon as contacts are asked for.
-    near_.push_back({begin, end, not_known, -1.0, 0.0, center, radii[i], listed_travel_});
+    near_.push_back({begin, end, not_known, 0.0, radii[i], listed_travel_});
+    hold_.push_back({center, -std::numeric_limits<double>::infinity()});
     most = std::max(most, end - begin);
   }
   close_.resize(facet_.size());
-  gap_.resize(facet_.size());
+  pick_.resize(grain_.size());
   touches_.make_room((in_block + 1) * most);  // of a block, and those of one grain
-  merged_.reserve(most);
 }
 
 bool SleeveContacts::is_stale(const ShellModel& model) const
@@ -69,11 +67,12 @@ bool SleeveContacts::is_stale(const ShellModel& model) const
 // Most facets near by stay out of reach for hundreds of steps. A gap d seen after the grain has
 // moved by m and the sleeve by s counts as one of d - m + s at the start: it closes no faster than
 // both move on, and the grain may first move back.
-void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center, double radius,
-                             double closed_by_others)
+void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center, double radius)
 {
   Near& near = near_[n];
-  const double moved = (center - near.center).norm(), closed = closed_by_others + moved;
+  Hold& hold = hold_[n];
+  const double moved = (center - hold.center).norm();
+  const double closed = (model.travel() - near.travel) + (radius - near.radius) + moved;
   Look& look = look_[looks_++];
   const bool all = near.close == not_known || closed > look_again * margin_;
   look = {n, touches_.count(), 0, closed, moved, all};
@@ -81,12 +80,12 @@ void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center,
     touches_.add(f, model.facet()[f], model.position(), center, radius);
   };
   if (look.all) {
-    near.center = center, near.radius = radius, near.travel = model.travel();
+    hold.center = center, near.radius = radius, near.travel = model.travel();
     look.closed = look.moved = 0.0;
     for (int m = near.begin; m < near.end; ++m) add(facet_[m]);
   } else {
     for (int m = near.begin; m < near.begin + near.close; ++m)
-      if (!(gap_[m] > closed)) add(close_[m]);
+      if (!(close_[m].gap > closed)) add(close_[m].facet);
   }
   look.last = touches_.count();
 }
@@ -104,17 +103,16 @@ void SleeveContacts::take_gaps(const Look& look)
         near.clear_rest = std::min(near.clear_rest, gap);
         continue;
       }
-      const int m = near.begin + near.close++;
-      close_[m] = touches_.facet(p);
-      gap_[m] = gap;
+      close_[near.begin + near.close++] = {gap, touches_.facet(p)};
     }
   }
-  near.clear = near.clear_rest;
+  double clear = near.clear_rest;
   for (int m = near.begin; m < near.begin + near.close; ++m) {
-    if (!look.all && !(gap_[m] > look.closed))
-      gap_[m] = touches_.gap(p++) + look.closed - 2.0 * look.moved;
-    near.clear = std::min(near.clear, gap_[m]);
+    double& gap = close_[m].gap;
+    if (!look.all && !(gap > look.closed)) gap = touches_.gap(p++) + look.closed - 2.0 * look.moved;
+    clear = std::min(clear, gap);
   }
+  hold_[look.n].until = clear + near.travel + near.radius;
 }
 
 std::optional<GrainBehind> SleeveContacts::find_contacts()
@@ -122,10 +120,11 @@ std::optional<GrainBehind> SleeveContacts::find_contacts()
   if (looks_ == 0) return {};
   int kept = look_[0].first;
   touches_.find_nearest(kept);
+  const int before = contacts_;
   for (int l = 0; l < looks_; ++l) {
     const Look& look = look_[l];
     take_gaps(look);
-    Pairs pairs{kept, kept};
+    FacetPairs pairs{kept, kept};
     for (int p = look.first; p < look.last; ++p)
       if (touches_.gap(p) < 0.0) touches_.move(p, kept++);
     pairs.last = kept;
@@ -136,9 +135,11 @@ std::optional<GrainBehind> SleeveContacts::find_contacts()
     contact.n = look.n;
     contact.grain = grain;
     contact.surface = {};
-    merge(pairs, contact.merged);
     pairs_[contacts_++] = pairs;
   }
+  std::array<MergedContact, in_block> merged;
+  touches_.merge(pairs_.data() + before, contacts_ - before, merged.data());
+  for (int c = before; c < contacts_; ++c) contact_[c].merged = merged[c - before];
   touches_.keep_first(kept);
   return {};
 }
@@ -146,7 +147,7 @@ std::optional<GrainBehind> SleeveContacts::find_contacts()
 // Over an edge or a node several facets are as deep. At a sharp fold the direction may point
 // against the normal of one of them on the right side too: the one it is most along tells the side.
 // A center in the surface has no direction and counts as behind.
-bool SleeveContacts::is_behind(const Pairs& pairs) const
+bool SleeveContacts::is_behind(const FacetPairs& pairs) const
 {
   if (pairs.last == pairs.first + 1) return !(touches_.side(pairs.first) > 0.0);  // most of them
   double nearest = 0.0, side = 0.0;
@@ -156,25 +157,6 @@ bool SleeveContacts::is_behind(const Pairs& pairs) const
     if (touches_.gap(p) <= 0.999 * nearest && std::abs(cosine) > std::abs(side)) side = cosine;
   }
   return !(side > 0.0);
-}
-
-void SleeveContacts::merge(const Pairs& pairs, MergedContact& merged)
-{
-  const int first = pairs.first;
-  if (pairs.last == first + 1) {
-    merged.overlap = -touches_.gap(first);
-    merged.normal = touches_.direction(first);
-    merged.stiffening = 1.0;
-  } else {
-    merged_.clear();
-    for (int p = first; p < pairs.last; ++p) merged_.push_back(touches_.touch(p));
-    merged = merge_touches(merged_);
-  }
-  const double arm = contact_arm(touches_.radius(first), merged.overlap);
-  const Vec3 point = touches_.center(first) + arm * merged.normal;
-  if (pairs.last == first + 1) return touches_.join(first, 1.0, 1.0, point);
-  for (int p = first; p < pairs.last; ++p)
-    touches_.join(p, merged_[p - first].pull, merged_[p - first].share, point);
 }
 
 void SleeveContacts::find_motion(int count, const ShellModel& model)

@@ -7,6 +7,7 @@
 #include "shell/shell_model.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -65,10 +66,11 @@ class SleeveContacts {
   /// For each listed grain that touches, asks `law` and gives the sleeve what it feels: the normal
   /// force along the facets' directions, shear force and moment at the contact; nodal forces are
   /// statically equivalent. `law` answers a contact, a SleeveReaction of a SleeveContact, or those
-  /// of a block at once: (contacts, their number, reactions). Grains tells `centers`, `radii` and
-  /// whether a grain `counts(i)`. A sleeve that stands still takes no load: `moves` is false. With
-  /// `bound`, adds to it what each contact adds to the stiffness of its nodes. Ends at the first
-  /// grain that is behind the sleeve.
+  /// of a block at once: (contacts, their number, reactions). Grains tells `centers`, `radii`,
+  /// after a new list whether a grain `counts(i)`, and may `fetch(n, i)` into the cache what the
+  /// law is likely to need soon of grain i, which is grains()[n]. A sleeve that stands still takes
+  /// no load: `moves` is false. With `bound`, adds to it what each contact adds to the stiffness of
+  /// its nodes. Ends at the first grain that is behind the sleeve.
   template <typename Grains, typename Law>
   std::optional<GrainBehind> resolve(ShellModel& model, bool moves, const Grains& grains,
                                      std::vector<StiffnessBound>* bound, const Law& law)
@@ -76,8 +78,9 @@ class SleeveContacts {
     vertical_force_ = 0.0;
     touches_.clear();
     contacts_ = 0;
-    for (std::size_t n = 0; n < grain_.size();) {
-      n = look_at_some(model, grains, n);
+    pick(model, grains);
+    for (int m = 0; m < picked_;) {
+      m = look_at_some(model, grains, m);
       if (const auto behind = find_contacts()) return behind;
       while (contacts_ >= in_block) settle(in_block, model, moves, bound, law);
     }
@@ -88,14 +91,25 @@ class SleeveContacts {
   double vertical_force() const { return vertical_force_; }
 
  private:
-  /// A grain near the sleeve, and where all was when the gaps to its facets were found.
+  static constexpr int not_known = -1;      ///< how many facets are close
+  static constexpr int fetched_ahead = 24;  ///< grains that are looked at
+
+  /// A grain near the sleeve as it was when all its facets were looked at.
   struct Near {
-    int begin, end;     ///< its facets in the list
-    int close;          ///< so many of them can be reached before all are looked at again
-    double clear;       ///< smallest of its gaps [m]
-    double clear_rest;  ///< of those that are not close [m]
-    Vec3 center;
+    int begin, end;         ///< its facets in the list
+    int close;              ///< so many of them can be reached before all are looked at again
+    double clear_rest;      ///< smallest gap of those that are not close [m]
     double radius, travel;  ///< its own [m]; of the sleeve, ShellModel::travel()
+  };
+  /// Where it was, and its smallest gap with its radius and the travel of the sleeve [m]: while
+  /// these have not grown by the gap less its way, it cannot touch.
+  struct Hold {
+    Vec3 center;
+    double until;
+  };
+  struct Close {
+    double gap;  ///< between the facet and the grain [m]
+    int facet;
   };
   /// A grain that is looked at and its pairs.
   struct Look {
@@ -104,28 +118,47 @@ class SleeveContacts {
     double moved;   ///< by the grain [m]
     bool all;       ///< of its facets are looked at
   };
-  /// Pairs of a contact, from `first` to before `last`.
-  struct Pairs {
-    int first, last;
-  };
-
+  /// Picks the grains to look at, without a branch: which ones cannot be guessed, and a wrong guess
+  /// waits for memory.
   template <typename Grains>
-  std::size_t look_at_some(const ShellModel& model, const Grains& grains, std::size_t n)
+  void pick(const ShellModel& model, const Grains& grains)
+  {
+    picked_ = 0;
+    const double travel = model.travel();
+    const int all = static_cast<int>(grain_.size());
+    for (int n = 0; n < all; ++n) {
+      __builtin_prefetch(grains.centers + 3 * grain_[std::min(n + 2 * fetched_ahead, all - 1)]);
+      const int i = grain_[n];
+      const Hold& hold = hold_[n];
+      const double left = hold.until - travel - grains.radii[i];
+      const double moved = (as_vec3(grains.centers + 3 * i) - hold.center).squaredNorm();
+      pick_[picked_] = n;
+      picked_ += !((left > 0.0) & (moved < left * left));
+    }
+  }
+  /// Looks at those picked from number m on, as many as a block has room for; returns the next one.
+  template <typename Grains>
+  int look_at_some(const ShellModel& model, const Grains& grains, int m)
   {
     looks_ = 0;
-    for (; n < grain_.size() && looks_ < in_block; ++n) {
+    for (; m < picked_ && looks_ < in_block; ++m) {
+      if (const int next = m + fetched_ahead; next < picked_) {
+        const int n = pick_[next];
+        grains.fetch(n, grain_[n]);
+        __builtin_prefetch(&close_[near_[n].begin]);
+      }
+      if (const int next = m + 2 * fetched_ahead; next < picked_)
+        __builtin_prefetch(&near_[pick_[next]]);
+      const int n = pick_[m], i = grain_[n];
       const Near& near = near_[n];
-      const int i = grain_[n];
-      const Vec3 center = as_vec3(grains.centers + 3 * i);
-      // By how much its gaps may have closed without the way of the grain, and by that too.
-      const double closed = (model.travel() - near.travel) + (grains.radii[i] - near.radius);
-      const double left = near.clear - closed;
-      if (left > 0.0 && (center - near.center).squaredNorm() < left * left) continue;
-      if (!grains.counts(i)) continue;
+      if (near.close == not_known && !grains.counts(i)) {
+        hold_[n].until = std::numeric_limits<double>::infinity();
+        continue;
+      }
       if (looks_ > 0 && !touches_.has_room(near.end - near.begin)) break;
-      look_at(model, static_cast<int>(n), center, grains.radii[i], closed);
+      look_at(model, n, as_vec3(grains.centers + 3 * i), grains.radii[i]);
     }
-    return n;
+    return m;
   }
   /// Sees to the first `count` contacts and forgets them.
   template <typename Law>
@@ -141,11 +174,10 @@ class SleeveContacts {
     forget(count);
   }
 
-  void look_at(const ShellModel& model, int n, const Vec3& center, double radius, double closed);
+  void look_at(const ShellModel& model, int n, const Vec3& center, double radius);
   void take_gaps(const Look& look);
   std::optional<GrainBehind> find_contacts();
-  bool is_behind(const Pairs& pairs) const;
-  void merge(const Pairs& pairs, MergedContact& merged);
+  bool is_behind(const FacetPairs& pairs) const;
   void find_motion(int count, const ShellModel& model);
   void take_reactions(int count, ShellModel& model, bool moves, std::vector<StiffnessBound>* bound);
   void forget(int count);
@@ -155,18 +187,18 @@ class SleeveContacts {
   double margin_ = 0.0, listed_travel_ = 0.0, vertical_force_ = 0.0;
   std::vector<Vec3> listed_position_;
   std::vector<int> grain_;
-  std::vector<Near> near_;   ///< of each grain
-  std::vector<int> facet_;   ///< of all grains, those of a grain in a row
-  std::vector<int> close_;   ///< the close ones of each grain, from its `begin` on
-  std::vector<double> gap_;  ///< of each of these, between it and its grain [m]
+  std::vector<Near> near_;    ///< of each grain
+  std::vector<Hold> hold_;    ///< of each grain
+  std::vector<int> pick_;     ///< places in the list of those to look at, the first `picked_`
+  std::vector<int> facet_;    ///< of all grains, those of a grain in a row
+  std::vector<Close> close_;  ///< the close ones of each grain, from its `begin` on
   // Grains that are looked at, contacts that were found and not yet seen to:
-  int looks_ = 0, contacts_ = 0;
+  int picked_ = 0, looks_ = 0, contacts_ = 0;
   std::array<Look, in_block> look_;
   std::array<SleeveContact, 2 * in_block> contact_;
-  std::array<Pairs, 2 * in_block> pairs_;
+  std::array<FacetPairs, 2 * in_block> pairs_;
   std::array<SleeveReaction, in_block> reaction_;
   FacetTouches touches_;
-  std::vector<FacetTouch> merged_;
 };
 
 }  // namespace encased_column

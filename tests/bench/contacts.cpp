@@ -28,6 +28,7 @@ struct Grains {
   const double* centers = nullptr;
   const double* radii = nullptr;
   bool counts(int) const { return true; }
+  void fetch(int, int) const {}
 };
 
 double distance(const ShellModel& model, const Vec3& x)

@@ -46,12 +46,31 @@ inline double energy_of(const MergedContact& touch, double k)
   return 0.5 * k * touch.stiffening * touch.overlap * touch.overlap;
 }
 
+/// A sphere and one facet that overlap.
+struct FacetTouch {
+  Vec3 direction;  ///< unit, from the center to the nearest point
+  double overlap;  ///< [m]
+  double pull = 0.0, share = 0.0;
+};
+
+/// The one contact that all of them make; sets their pulls and shares.
+inline MergedContact merge_touches(std::vector<FacetTouch>& touches)
+{
+  TouchSum sum{0.0};
+  for (const FacetTouch& t : touches) sum.deepest = std::max(sum.deepest, t.overlap);
+  for (FacetTouch& t : touches) t.pull = t.share = sum.add(t.overlap / sum.deepest, t.direction);
+  const JoinedTouches all = joined(sum);
+  for (FacetTouch& t : touches) t.pull *= all.pull, t.share *= all.share;
+  return all.contact;
+}
+
 /// Grains of one radius.
 struct SomeGrains {
   const double* centers;
   std::vector<double> radii;
 
   bool counts(int) const { return true; }
+  void fetch(int, int) const {}
 };
 
 /// What one grain at `center` did, or that it is behind the sleeve.

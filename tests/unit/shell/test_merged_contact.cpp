@@ -58,7 +58,7 @@ Vec3 on_the_path(double s)
 
 TEST(MergedContact, OfOneFacetIsTheOverlapItself)
 {
-  std::vector<FacetTouch> one{{7, Vec3::UnitX(), Vec3::UnitZ(), 0.001, 0.0, 0.0}};
+  std::vector<FacetTouch> one{{Vec3::UnitZ(), 0.001}};
   const MergedContact touch = merge_touches(one);
   EXPECT_EQ(touch.overlap, 0.001);
   EXPECT_EQ(touch.stiffening, 1.0);
@@ -71,7 +71,7 @@ TEST(MergedContact, OfOneFacetIsTheOverlapItself)
 // the energy is that of a spring 2^(1/4) as stiff at the overlap that the surface really has.
 TEST(MergedContact, OfTwoEqualFacetsOfOnePlaneKeepsTheOverlapAndStiffensByTheFourthRootOfTwo)
 {
-  const FacetTouch touch{0, Vec3::UnitX(), Vec3::UnitZ(), 0.001, 0.0, 0.0};
+  const FacetTouch touch{Vec3::UnitZ(), 0.001};
   std::vector<FacetTouch> two{touch, touch};
   const MergedContact joined = merge_touches(two);
   EXPECT_NEAR(joined.overlap / 0.001, 1.0, 1e-14);
@@ -87,8 +87,7 @@ TEST(MergedContact, PullsOfAllFacetsAddUpToTheNormal)
   RandomVectors random(5);
   std::vector<FacetTouch> touches;
   for (int n = 0; n < 5; ++n)
-    touches.push_back({n, Vec3::UnitX(), (Vec3::UnitZ() + 0.3 * random()).normalized(),
-                       1e-3 * (1.2 + random().x()), 0.0, 0.0});
+    touches.push_back({(Vec3::UnitZ() + 0.3 * random()).normalized(), 1e-3 * (1.2 + random().x())});
   const MergedContact joined = merge_touches(touches);
   Vec3 sum = Vec3::Zero();
   double shares = 0.0;
@@ -103,8 +102,8 @@ TEST(MergedContact, PullsOfAllFacetsAddUpToTheNormal)
 
 TEST(MergedContact, AFacetThatIsOnlyJustTouchedChangesNothing)
 {
-  const FacetTouch deep{0, Vec3::UnitX(), Vec3::UnitZ(), 0.001, 0.0, 0.0};
-  std::vector<FacetTouch> two{deep, {1, Vec3::UnitY(), Vec3::UnitX(), 1e-12, 0.0, 0.0}};
+  const FacetTouch deep{Vec3::UnitZ(), 0.001};
+  std::vector<FacetTouch> two{deep, {Vec3::UnitX(), 1e-12}};
   const MergedContact joined = merge_touches(two);
   EXPECT_DOUBLE_EQ(joined.overlap, 0.001);
   EXPECT_LT((joined.normal - Vec3::UnitZ()).norm(), 1e-14);

@@ -396,8 +396,7 @@ TEST(SleeveContacts, MissNoFacetWhileGrainsAndSleeveMove)
       for (int f = 0; f < model.facets(); ++f) {
         const Vec3 way = nearest_point(model, f, center[i]) - center[i];
         const double distance = way.norm();
-        if (distance < radii[i])
-          touches.push_back({f, Vec3::Zero(), way / distance, radii[i] - distance, 0.0, 0.0});
+        if (distance < radii[i]) touches.push_back({way / distance, radii[i] - distance});
       }
       if (touches.empty()) {
         ASSERT_EQ(found[i].overlap, 0.0) << "grain " << i << " at step " << step;

@@ -86,6 +86,7 @@ void BagOfGrains::press_sleeve()
     const double* centers;
     std::array<double, grains> radii;
     bool counts(int) const { return true; }
+    void fetch(int, int) const {}
   };
   std::array<Vec3, grains> center;
   for (int i = 0; i < grains; ++i) center[i] = grain_[i].x;
