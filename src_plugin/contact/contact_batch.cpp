@@ -30,6 +30,7 @@ template <bool dashpots, bool advance>
     // One division for all three: the vector units take longest over those.
     const double product = 1.0 / (distance * length * ratio_[n]);
     const double near = product * length * ratio_[n];
+    per_length_[n] = product * distance * ratio_[n];
     const double nx = near * ax, ny = near * ay, nz = near * az;
     normal_[0][n] = nx;
     normal_[1][n] = ny;
@@ -42,9 +43,11 @@ template <bool dashpots, bool advance>
     const double elastic_normal = k_n * overlap;
 
     // Arms are the radii less half the overlap.
-    const double lx = rolled_[0][n] - 0.5 * overlap * spin_[0][n];
-    const double ly = rolled_[1][n] - 0.5 * overlap * spin_[1][n];
-    const double lz = rolled_[2][n] - 0.5 * overlap * spin_[2][n];
+    const double ix = spin_i_[0][n], iy = spin_i_[1][n], iz = spin_i_[2][n];
+    const double jx = spin_j_[0][n], jy = spin_j_[1][n], jz = spin_j_[2][n];
+    const double lx = r_i * ix + r_j * jx - 0.5 * overlap * (ix + jx);
+    const double ly = r_i * iy + r_j * jy - 0.5 * overlap * (iy + jy);
+    const double lz = r_i * iz + r_j * jz - 0.5 * overlap * (iz + jz);
     double vx = velocity_[0][n], vy = velocity_[1][n], vz = velocity_[2][n];
 
     // Slip: what is left of the velocity in the contact plane, with what the spins add.
@@ -76,7 +79,7 @@ template <bool dashpots, bool advance>
       const double px = stretch * (sx - out * nx), py = stretch * (sy - out * ny),
                    pz = stretch * (sz - out * nz);
 
-      const double twist = (0.125 * dt) * (spin_[0][n] * ax + spin_[1][n] * ay + spin_[2][n] * az);
+      const double twist = (0.125 * dt) * ((ix + jx) * ax + (iy + jy) * ay + (iz + jz) * az);
       const double most = largest_quarter * largest_quarter * apart_square;
       const double turn = twist * twist < most ? twist * twist : most;
       const double scale = 1.0 / (apart_square + turn);
@@ -143,9 +146,15 @@ template <bool dashpots, bool advance>
     force_[0][n] = fx - pressing * nx;
     force_[1][n] = fy - pressing * ny;
     force_[2][n] = fz - pressing * nz;
-    twist_[0][n] = ny * fz - nz * fy;
-    twist_[1][n] = nz * fx - nx * fz;
-    twist_[2][n] = nx * fy - ny * fx;
+    const double ax = ny * fz - nz * fy, ay = nz * fx - nx * fz, az = nx * fy - ny * fx;
+    const double arm_i = contact_arm(radius_i_[n], overlap_[n]);
+    const double arm_j = contact_arm(radius_j_[n], overlap_[n]);
+    moment_i_[0][n] = arm_i * ax;
+    moment_i_[1][n] = arm_i * ay;
+    moment_i_[2][n] = arm_i * az;
+    moment_j_[0][n] = arm_j * ax;
+    moment_j_[1][n] = arm_j * ay;
+    moment_j_[2][n] = arm_j * az;
   }
   dashpot_loss_ = dashpot_loss;
   return loss;

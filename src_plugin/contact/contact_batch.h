@@ -32,13 +32,11 @@ class ContactBatch {
     j_[n] = j;
     memory_[n] = memory;
     const Vec3 velocity = body_i.velocity - body_j.velocity;
-    const Vec3 rolled = body_i.radius * body_i.spin + body_j.radius * body_j.spin;
-    const Vec3 spin = body_i.spin + body_j.spin;
     for (int a = 0; a < 3; ++a) {
       normal_[a][n] = apart(a);
       velocity_[a][n] = velocity(a);
-      rolled_[a][n] = rolled(a);
-      spin_[a][n] = spin(a);
+      spin_i_[a][n] = body_i.spin(a);
+      spin_j_[a][n] = body_j.spin(a);
       spring_[a][n] = memory[a];
     }
     seen_[n] = memory[3];
@@ -71,10 +69,13 @@ class ContactBatch {
   int j(int n) const { return j_[n]; }
   /// On i, the opposite on j [N].
   Vec3 force(int n) const { return {force_[0][n], force_[1][n], force_[2][n]}; }
-  Vec3 moment_i(int n) const { return arm_i(n) * twist(n); }  ///< [N m]
-  Vec3 moment_j(int n) const                                  ///< [N m], of a wall without meaning
+  Vec3 moment_i(int n) const  ///< [N m]
   {
-    return contact_arm(radius_j_[n], overlap_[n]) * twist(n);
+    return {moment_i_[0][n], moment_i_[1][n], moment_i_[2][n]};
+  }
+  Vec3 moment_j(int n) const  ///< [N m], of a wall without meaning
+  {
+    return {moment_j_[0][n], moment_j_[1][n], moment_j_[2][n]};
   }
   /// On a wall, about the contact [N m].
   Vec3 moment_on_wall(int) const { return Vec3::Zero(); }
@@ -83,10 +84,7 @@ class ContactBatch {
   /// Writes what the contacts remember.
   void keep(double step) const
   {
-    for (int n = 0; n < count_; ++n) {
-      for (int a = 0; a < 3; ++a) memory_[n][a] = spring_[a][n];
-      memory_[n][3] = step;
-    }
+    for (int n = 0; n < count_; ++n) keep_one(n, step);
   }
 
   double share(int n) const { return share_[n]; }
@@ -103,7 +101,12 @@ class ContactBatch {
   bool is_new(int n, double step) const { return seen_[n] < step - 1.0; }
 
  protected:
-  Vec3 twist(int n) const { return {twist_[0][n], twist_[1][n], twist_[2][n]}; }
+  void keep_one(int n, double step) const
+  {
+    double* const memory = memory_[n];
+    for (int a = 0; a < 3; ++a) memory[a] = spring_[a][n];
+    memory[3] = step;
+  }
 
   double resolve_springs(double dt, double step, bool advance);
   double resolve_with_dashpots(double dt, double step, bool advance);
@@ -117,11 +120,13 @@ class ContactBatch {
   int i_[size], j_[size];
   double* memory_[size];
   alignas(64) Numbers normal_[3];  ///< `apart` until resolve()
-  Numbers velocity_[3], rolled_[3], spin_[3], spring_[3], seen_, more_;
+  Numbers velocity_[3], spin_i_[3], spin_j_[3], spring_[3], seen_, more_;
   Numbers radius_i_, radius_j_, modulus_, ratio_, friction_, share_;
   Numbers mass_, damping_normal_, damping_shear_;
   Numbers cosine_, sine_;  ///< of half the turn about the normal
-  Numbers overlap_, force_[3], twist_[3], normal_force_, normal_stiffness_, shear_stiffness_, part_;
+  Numbers per_length_;     ///< one over the sum of the radii [1/m]
+  Numbers overlap_, force_[3], moment_i_[3], moment_j_[3], normal_force_, normal_stiffness_,
+      shear_stiffness_, part_;
 };
 
 }  // namespace encased_column

@@ -6,6 +6,7 @@
 #include "memory.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace encased_column {
 
@@ -31,10 +32,10 @@ ContactMemoryFix::~ContactMemoryFix()
 
 void ContactMemoryFix::remember(const std::vector<int>& near)
 {
-  old_.swap(memories_);
-  memories_.resize(near.size());
+  const std::vector<Memory> old = std::move(memories_);
+  memories_ = std::vector<Memory>(near.size());
   for (std::size_t n = 0; n < near.size(); ++n)
-    memories_[n] = place_[near[n]] == none ? nothing : old_[place_[near[n]]];
+    memories_[n] = place_[near[n]] == none ? nothing : old[place_[near[n]]];
   std::fill_n(place_, room_, none);
   for (std::size_t n = 0; n < near.size(); ++n) place_[near[n]] = static_cast<int>(n);
 }
@@ -95,8 +96,7 @@ void ContactMemoryFix::unpack_restart(int nlocal, int nth)
 
 double ContactMemoryFix::memory_usage()
 {
-  return static_cast<double>(atom->nmax * sizeof(int) +
-                             (memories_.capacity() + old_.capacity()) * sizeof(Memory));
+  return static_cast<double>(atom->nmax * sizeof(int) + memories_.capacity() * sizeof(Memory));
 }
 
 }  // namespace encased_column

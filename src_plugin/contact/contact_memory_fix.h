@@ -51,7 +51,7 @@ class ContactMemoryFix : public LAMMPS_NS::Fix, public IgnoresVelocity {
 
   int* place_ = nullptr;  ///< of each grain's memory, or none
   int room_ = 0;          ///< for so many
-  std::vector<Memory> memories_, old_;
+  std::vector<Memory> memories_;
 };
 
 }  // namespace encased_column

@@ -16,12 +16,12 @@ constexpr long cells_at_least = 4096;
 
 }  // namespace
 
-void GrainGrid::Level::lay_grid(const std::vector<Sphere>& spheres, double finest_size)
+void GrainGrid::Level::lay_grid(const Spheres& spheres, double finest_size)
 {
-  Vec3 low = as_vec3(spheres.front().center), high = low;
-  for (const Sphere& sphere : spheres) {
-    low = low.cwiseMin(as_vec3(sphere.center));
-    high = high.cwiseMax(as_vec3(sphere.center));
+  Vec3 low = as_vec3(spheres[0].center), high = low;
+  for (int i : spheres.numbers) {
+    low = low.cwiseMin(as_vec3(spheres.centers + 3 * i));
+    high = high.cwiseMax(as_vec3(spheres.centers + 3 * i));
   }
   double size = finest_size;
   int cells[3] = {1, 1, 1};
@@ -43,29 +43,22 @@ void GrainGrid::sort(const double* centers, const double* radii, int count, doub
 {
   factor_ = factor;
   margin_ = margin;
-  classes_.resize(most_levels);
   const double largest = count > 0 ? *std::max_element(radii, radii + count) : 0.0;
   const auto level_of = [&](int i) {
     return std::min(most_levels - 1, std::ilogb(largest / radii[i]));
   };
-  std::array<int, most_levels> of_level{};
-  for (int i = 0; i < count; ++i) ++of_level[level_of(i)];
-  for (int level = 0; level < most_levels; ++level) classes_[level].reserve(of_level[level]);
-  for (int i = 0; i < count; ++i) {
-    const double* x = centers + 3 * i;
-    classes_[level_of(i)].push_back({{x[0], x[1], x[2]}, radii[i], i});
-  }
+  std::vector<Spheres> classes(most_levels, {{}, centers, radii});
+  for (int i = 0; i < count; ++i) classes[level_of(i)].numbers.push_back(i);
   std::size_t used = 0;
-  for (auto& spheres : classes_) {
-    if (spheres.empty()) continue;
+  for (const Spheres& spheres : classes) {
+    if (spheres.size() == 0) continue;
     if (used == levels_.size()) levels_.emplace_back();
     Level& level = levels_[used++];
     level.largest = 0.0;
-    for (const Sphere& sphere : spheres) level.largest = std::max(level.largest, sphere.radius);
+    for (int i : spheres.numbers) level.largest = std::max(level.largest, radii[i]);
     level.lay_grid(spheres, 2.0 * factor * level.largest + margin);
     level.grid.sort(
         spheres, [](const Sphere& sphere) -> auto& { return sphere.center; });
-    spheres = {};
   }
   levels_.resize(used);
 }

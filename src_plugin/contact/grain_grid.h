@@ -3,6 +3,7 @@
 
 #include "core/cell_grid.h"
 
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,7 +20,7 @@ class GrainGrid {
   void sort(const double* centers, const double* radii, int count, double factor, double margin);
 
   /// Calls `found(j)` for every sorted sphere j that is `first` or later and as near to one at
-  /// `center` [m] with `radius` [m].
+  /// `center` [m] with `radius` [m], and may for one farther by 2e-7 of its radius.
   template <typename Found>
   void near(const Vec3& center, double radius, int first, const Found& found) const
   {
@@ -37,13 +38,32 @@ class GrainGrid {
 
  private:
   struct Sphere {
-    double center[3], radius;
+    double center[3];
+    float radius;  ///< rounded up, to save memory
     int number;
+  };
+
+  static constexpr double rounded_up = 1.0 + std::numeric_limits<float>::epsilon();
+
+  /// Some of the spheres that are sorted, made as they are asked for: copies would be the largest
+  /// memory of a list that is being made.
+  struct Spheres {
+    std::vector<int> numbers;
+    const double* centers;
+    const double* radii;
+
+    std::size_t size() const { return numbers.size(); }
+    Sphere operator[](std::size_t n) const
+    {
+      const int i = numbers[n];
+      const double* const x = centers + 3 * i;
+      return {{x[0], x[1], x[2]}, static_cast<float>(rounded_up * radii[i]), i};
+    }
   };
 
   /// The spheres of one class of size.
   struct Level {
-    void lay_grid(const std::vector<Sphere>& spheres, double finest_size);
+    void lay_grid(const Spheres& spheres, double finest_size);
 
     double largest = 0.0;  ///< radius [m]
     CellGrid<Sphere> grid;
@@ -51,7 +71,6 @@ class GrainGrid {
 
   double factor_ = 1.0, margin_ = 0.0;
   std::vector<Level> levels_;
-  std::vector<std::vector<Sphere>> classes_;  ///< empty between
 };
 
 /// Two of `count` grains whose centers, three numbers each [m], are the same point: no direction

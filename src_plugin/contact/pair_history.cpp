@@ -94,7 +94,7 @@ void PairHistory::allocate_pages()
 // before the forces of that step: in the middle of a run they would be those of an earlier step.
 void PairHistory::write_restart(FILE* file)
 {
-  if (in_charge_ && *computeflag_) pre_exchange();
+  if (*computeflag_) pre_exchange();
   FixContactHistory::write_restart(file);
 }
 

@@ -16,7 +16,6 @@ class RollingBatch : public ContactBatch {
   {
     const int n = count_;
     ContactBatch::add(i, j, share, material, apart, body_i, body_j, mass, memory, more);
-    turning_.set(n, body_i.spin - body_j.spin);
     torque_.set(n, {memory[memory_size], memory[memory_size + 1], memory[memory_size + 2]});
     rolling_friction_[n] = material.rolling_friction;
   }
@@ -31,33 +30,41 @@ class RollingBatch : public ContactBatch {
 
   /// Of rolling, of each contact times its share [J].
   double rolling_loss() const { return rolling_loss_; }
-  Vec3 moment_i(int n) const { return ContactBatch::moment_i(n) - torque_.at(n); }  ///< [N m]
-  Vec3 moment_j(int n) const { return ContactBatch::moment_j(n) + torque_.at(n); }  ///< [N m]
-  Vec3 moment_on_wall(int n) const { return torque_.at(n); }                        ///< [N m]
-  double stored_energy(int n) const                                                 ///< [J]
+  Vec3 moment_on_wall(int n) const { return torque_.at(n); }  ///< [N m]
+  double stored_energy(int n) const                           ///< [J]
   {
     return ContactBatch::stored_energy(n) +
            rolling_energy(shear_stiffness_[n], radius_of_rolling(n), torque_.at(n));
   }
   void keep(double step) const
   {
-    ContactBatch::keep(step);
     for (int n = 0; n < count_; ++n) {
-      const Vec3 torque = torque_.at(n);
-      for (int a = 0; a < 3; ++a) memory_[n][memory_size + a] = torque(a);
+      keep_one(n, step);
+      as_vec3(memory_[n] + memory_size) = torque_.at(n);
     }
   }
 
  private:
+  /// rolling_radius(), or that of the grain against a wall [m].
   double radius_of_rolling(int n) const
   {
-    return radius_j_[n] > 0.0 ? rolling_radius(radius_i_[n], radius_j_[n]) : radius_i_[n];
+    return radius_i_[n] * (radius_j_[n] > 0.0 ? radius_j_[n] * per_length_[n] : 1.0);
   }
+  double rolling_spring(int n) const  ///< [N m]
+  {
+    return shear_stiffness_[n] * radius_of_rolling(n) * radius_of_rolling(n);
+  }
+  double limit(int n, double dt) const  ///< [N m]
+  {
+    return rolling_limit(rolling_friction_[n], normal_force_[n], radius_of_rolling(n), dt);
+  }
+  double slide(double dt);
   double roll(double dt, double step);
-  double roll_one(int n, double dt, double step);
+  double move_on(int n, double dt, double step);
 
-  VectorRow<size> turning_, torque_;  ///< spin of i less that of j [rad/s]; resisting torque [N m]
+  VectorRow<size> torque_;  ///< that resists rolling [N m]
   Numbers rolling_friction_;
+  Numbers square_, from_;  ///< as in RollingTrial
   double rolling_loss_ = 0.0;
 };
 

@@ -20,17 +20,18 @@ class CellGrid {
     for (int a = 0; a < 3; ++a) cells_[a] = cells[a];
   }
 
-  /// Sorts `items`; `point(item)` gives three numbers [m]. Those of one cube keep their order, and
-  /// points outside go to the outermost cubes.
-  template <typename Point>
-  void sort(const std::vector<Item>& items, const Point& point)
+  /// Sorts `items`, a vector or what makes them one by one; `point(item)` gives three numbers [m].
+  /// Those of one cube keep their order, and points outside go to the outermost cubes.
+  template <typename Items, typename Point>
+  void sort(const Items& items, const Point& point)
   {
     begin_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 2, 0);
     cell_.resize(items.size());
     // Counted two places on, begin[c + 1] runs from the first to the end of cube c while it is
     // filled.
     for (std::size_t n = 0; n < items.size(); ++n) {
-      const auto& x = point(items[n]);
+      const Item& item = items[n];
+      const auto& x = point(item);
       cell_[n] = (cell_of(x[2], 2) * cells_[1] + cell_of(x[1], 1)) * cells_[0] + cell_of(x[0], 0);
       ++begin_[cell_[n] + 2];
     }

@@ -3,7 +3,6 @@
 
 #include "core/input_error.h"
 #include "dynamics/read_mass_rule.h"
-#include "host/contact_history.h"
 #include "host/messages.h"
 #include "host/restart_block.h"
 #include "host/run_clock.h"
@@ -220,7 +219,6 @@ std::vector<double*> FixMotion::saved()
 void FixMotion::write_restart(FILE* file)
 {
   complete_step();
-  save_pair_history(lmp);
   const bool made_grains = on_any_rank(made_grains_, world);
   const bool wanted = made_grains || masses_ == Masses::wanted_in_set_up;
   std::vector<double> numbers{update->get_cur_time(), damping_loss(), wanted ? 1.0 : 0.0,

@@ -44,14 +44,16 @@ void MassScaling::admit_new_grains()
     if (inertia_[i] == 0.0) inertia_[i] = mass_for(i, one_contact(i));
 }
 
+// Before the first contact there may still be a list of pairs to make, which needs memory too.
 void MassScaling::clear_contacts()
 {
-  stiffness_.assign(grains_.count, GrainStiffness());
+  stiffness_ = {};
 }
 
 void MassScaling::add_contact(int i, int j, const Vec3& normal, double normal_stiffness,
                               double shear_stiffness)
 {
+  if (stiffness_.empty()) stiffness_.resize(grains_.count);
   GrainStiffness& stiffness = stiffness_[i];
   stiffness.add(normal, normal_stiffness, shear_stiffness);
   if (j < 0)

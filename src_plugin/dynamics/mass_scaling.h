@@ -128,7 +128,7 @@ class MassScaling {
   MovingGrains grains_;
   bool way_was_gone_ = false;
   std::vector<double> inertia_;
-  std::vector<GrainStiffness> stiffness_;
+  std::vector<GrainStiffness> stiffness_;  ///< empty until there is a contact
   std::vector<Raised> raised_;
   std::size_t settled_ = 0;  ///< of them
   double loss_ = 0.0;

@@ -67,12 +67,14 @@ class GrainLoads {
   void clear(int grains)
   {
     sums_ = {};
-    load_.assign(grains, 0.0);
+    grains_ = grains;
+    load_ = {};
   }
   /// A contact force of a `size` [N] between grain i and grain j, or a wall or a grain of another
   /// rank where `j` is none of the grains; `share` as the rank counts the contact.
   void add(int i, int j, double size, double share)
   {
+    if (load_.empty()) load_.resize(grains_, 0.0);
     sums_.contact += share * size;
     sums_.contacts += share;
     load_[i] += size;
@@ -88,7 +90,8 @@ class GrainLoads {
 
  private:
   ForceSums sums_;
-  std::vector<double> load_;
+  int grains_ = 0;
+  std::vector<double> load_;  ///< empty until there is a contact
 };
 
 /// Source: Itasca PFC, "mechanical solve ratio-average" and "-maximum". Where contacts bear less

@@ -199,6 +199,34 @@ TEST(Restart, FromAFileWrittenDuringARunIsTheSameAsFromOneWrittenAfterIt)
   EXPECT_EQ(read_text(folder.path() / "parts"), read_text(folder.path() / "whole"));
 }
 
+// With the host's law and motion its list keeps the springs, and no fix of ours saves them.
+TEST(Restart, FromAFileWrittenDuringARunKeepsTheSpringsOfTheHostsLawToo)
+{
+  const std::string law = R"(
+neighbor       0.0005 bin
+pair_style     gran model hooke/stiffness tangential history
+pair_coeff     * *
+fix            kn all property/global kn peratomtypepair 3 3e4 3e4 3e4 3e4 3e4 3e4 3e4 3e4 3e4
+fix            kt all property/global kt peratomtypepair 3 1e4 1e4 1e4 1e4 1e4 1e4 1e4 1e4 1e4
+fix            gn all property/global gamman peratomtypepair 3 0 0 0 0 0 0 0 0 0
+fix            gt all property/global gammat peratomtypepair 3 0 0 0 0 0 0 0 0 0
+fix            mu all property/global coefficientFriction peratomtypepair 3 9 9 9 9 9 9 9 9 9
+fix            move all nve/sphere
+timestep       1e-6
+)";
+  const std::string two_grains =
+      "create_atoms 1 single 0 0 0.02 units box\ncreate_atoms 1 single 0.0099 0 0.02 units box\n"
+      "set group all diameter 0.01\nset group all density 2000\nvelocity all set 0 0 0\n"
+      "set atom 1 vy 0.1\n";
+  const std::string last = "run 100 upto\n" + picture("grains");
+  const TemporaryFolder folder;
+  run_in(folder.path(), host + box + law + two_grains + "restart 50 during.*\n" + last);
+  const std::string whole = read_text(folder.path() / "grains");
+  run_in(folder.path(), host + "read_restart during.50\n" + law + last);
+  EXPECT_GT(whole.size(), 300u);
+  EXPECT_EQ(read_text(folder.path() / "grains"), whole);
+}
+
 // Inertia, stable step and equilibrium are found again every 50 steps, and not where a run stops:
 // the file of step 3937 goes on as the run that wrote it did.
 TEST(Restart, GoesOnAtAnyStepAsTheRunThatWroteTheFileWithoutAStop)
