@@ -38,11 +38,8 @@ void GrainGrid::Level::lay_grid(const std::vector<Sphere>& spheres, double fines
   grid.lay(low, size, cells);
 }
 
-void GrainGrid::sort(const double* centers, const double* radii, int count, double factor,
-                     double margin)
+void GrainGrid::sort(const double* centers, const double* radii, int count)
 {
-  factor_ = factor;
-  margin_ = margin;
   classes_.resize(most_levels);
   const double largest = count > 0 ? *std::max_element(radii, radii + count) : 0.0;
   const auto level_of = [&](int i) {
@@ -62,7 +59,7 @@ void GrainGrid::sort(const double* centers, const double* radii, int count, doub
     Level& level = levels_[used++];
     level.largest = 0.0;
     for (const Sphere& sphere : spheres) level.largest = std::max(level.largest, sphere.radius);
-    level.lay_grid(spheres, 2.0 * factor * level.largest + margin);
+    level.lay_grid(spheres, 2.0 * level.largest);
     level.grid.sort(
         spheres, [](const Sphere& sphere) -> auto& { return sphere.center; });
     spheres = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "contact/pair_list.h"
 
+#include "contact/pair_list_timing.h"
 #include "core/input_error.h"
 
 #include "neigh_request.h"
@@ -29,20 +30,20 @@ void PairList::take_over(LAMMPS_NS::PairGran* pair)
   // others.
   if (pair->computeflag()) pair->get_fix_history()->pre_exchange();
   built_ = {-1, -1};
-  taken_over_ = !host_list_is_needed();
+  taken_over_ = !host_list_is_needed(lmp_);
   if (!taken_over_) return;
   for (int n = 0; n < neighbor->nrequest; ++n)
     if (neighbor->requests[n]->requestor == pair) neighbor->requests[n]->occasional = 1;
 }
 
 // Walls of the host find grains in its bins, which are filled when it has a list to build.
-bool PairList::host_list_is_needed() const
+bool PairList::host_list_is_needed(LAMMPS_NS::LAMMPS* lmp)
 {
-  if (lmp_->neighbor->style != bin || lmp_->neighbor->includegroup ||
-      std::string(lmp_->force->pair_style) != "gran")
+  if (lmp->neighbor->style != bin || lmp->neighbor->includegroup ||
+      std::string(lmp->force->pair_style) != "gran")
     return true;
-  for (int n = 0; n < lmp_->modify->nfix; ++n)
-    if (std::string(lmp_->modify->fix[n]->style) == "neighlist/mesh") return true;
+  for (int n = 0; n < lmp->modify->nfix; ++n)
+    if (std::string(lmp->modify->fix[n]->style) == "neighlist/mesh") return true;
   return false;
 }
 
@@ -60,12 +61,17 @@ void PairList::build(LAMMPS_NS::NeighList& list, ListedPairs& pairs)
     return;
   }
   const int owned = atom->nlocal, all = owned + atom->nghost;
-  GrainGrid grid;  // as large as the list: not kept beside it
-  grid.sort(all ? atom->x[0] : nullptr, atom->radius, all, neighbor->contactDistanceFactor,
-            neighbor->skin);
+  // Spheres wider by their reach touch where two grains may. Not kept beside the list, as it is as
+  // large.
+  const GrainReach reach = grain_reach(lmp_);
+  std::vector<double> wide(all);
+  for (int i = 0; i < all; ++i)
+    wide[i] = neighbor->contactDistanceFactor * atom->radius[i] + reach[i];
+  GrainGrid grid;
+  grid.sort(all ? atom->x[0] : nullptr, wide.data(), all);
   for (int i = 0; i < owned; ++i) {
     const int begin = pairs.size();
-    grid.near(as_vec3(atom->x[i]), atom->radius[i], i + 1, [&](int j) { pairs.add(i, j); });
+    grid.near(as_vec3(atom->x[i]), wide[i], i + 1, [&](int j) { pairs.add(i, j); });
     list.ilist[i] = i;
     list.numneigh[i] = pairs.size() - begin;
     if (list.numneigh[i] > list.oneatom)

@@ -13,7 +13,8 @@ class PairGran;
 namespace encased_column {
 
 /// Makes the neighbour list of the linear law's pairs in place of the host, whose one grid serves
-/// grains of 15 to 1 badly: the same pairs, which the host's own list then points to.
+/// grains of 15 to 1 badly: the pairs that may touch until a grain leaves its reach, which the
+/// host's own list then points to.
 ///
 /// The host builds no list that is asked for as occasional; this object asks so for the pair
 /// style's and fills it before the first force after each of the host's builds.
@@ -25,6 +26,8 @@ class PairList {
   /// host's own build or its bins (meshes of the host, exclusions), nothing changes. Saves what
   /// contacts remember; throws InputError for a `neighbor` style that finds no contacts.
   void take_over(LAMMPS_NS::PairGran* pair);
+  /// True where the host's own list of pairs, or its bins, are needed.
+  static bool host_list_is_needed(LAMMPS_NS::LAMMPS* lmp);
 
   /// Before forces: makes the host's `list` if it is not there yet. The pairs of a new one go to
   /// `history`, whose contacts remember the step they were last seen at `place`.
@@ -46,7 +49,6 @@ class PairList {
 
   /// Number and step of the host's last build.
   Build built() const { return {lmp_->neighbor->ncalls, lmp_->neighbor->lastcall}; }
-  bool host_list_is_needed() const;
   void build(LAMMPS_NS::NeighList& list, ListedPairs& pairs);
   static void read(const LAMMPS_NS::NeighList& list, ListedPairs& pairs);
 

@@ -3,6 +3,7 @@
 
 #include "contact/contact_context.h"
 #include "contact/contact_memory_fix.h"
+#include "contact/pair_list_timing.h"
 #include "core/input_error.h"
 #include "core/keyword_table.h"
 #include "host/grains_and_box.h"
@@ -107,7 +108,7 @@ void RigidWall::press_grains_with(const Shape& shape)
 template <typename Shape>
 void RigidWall::list_grains_near(const Shape& shape)
 {
-  near_.list(shape, position(), neighbor->skin, atom->nlocal ? atom->x[0] : nullptr, atom->radius,
+  near_.list(shape, position(), grain_reach(lmp), atom->nlocal ? atom->x[0] : nullptr, atom->radius,
              atom->nlocal, [this](int i) { return (atom->mask[i] & groupbit) != 0; });
   remember(near_.numbers());
 }

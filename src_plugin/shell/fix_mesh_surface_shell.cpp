@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "shell/fix_mesh_surface_shell.h"
 
+#include "contact/pair_list_timing.h"
 #include "host/grains_and_box.h"
 #include "host/messages.h"
 #include "host/restart_block.h"
@@ -117,7 +118,7 @@ void FixMeshSurfaceShell::take_loads(bool at_set_up)
   // Lists of pairs and of facets are made together: grains keep their numbers in between.
   if (neighbor->ago == 0 || sleeve_->needs_list())
     remember(sleeve_->list_grains(atom->nlocal ? atom->x[0] : nullptr, atom->radius, atom->nlocal,
-                                  neighbor->skin));
+                                  grain_reach(lmp)));
   if (!sleeve_->has_grains_near()) return;
   if (rolling_)
     press(rolling_batch_, !at_set_up);

@@ -121,9 +121,9 @@ void Sleeve::start_loads(const SleeveStep& step, const HeightWindow& window, boo
 }
 
 const std::vector<int>& Sleeve::list_grains(const double* centers, const double* radii, int grains,
-                                            double margin)
+                                            const GrainReach& reach)
 {
-  contacts_.list(model_, centers, radii, grains, margin);
+  contacts_.list(model_, centers, radii, grains, reach);
   return contacts_.grains();
 }
 

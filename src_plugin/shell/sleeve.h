@@ -60,7 +60,7 @@ class Sleeve {
   bool needs_list() const { return contacts_.is_stale(model_); }
   /// Lists the grains near by, see SleeveContacts::list(); returns their numbers.
   const std::vector<int>& list_grains(const double* centers, const double* radii, int grains,
-                                      double margin);
+                                      const GrainReach& reach);
   bool has_grains_near() const { return !contacts_.grains().empty(); }
   /// Takes the loads of the grains, see SleeveContacts::resolve().
   template <typename Grains, typename Law>

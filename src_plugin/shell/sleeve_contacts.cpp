@@ -25,9 +25,9 @@ double distance_to_facet(const FacetVectors& corner, const Vec3& from)
 }  // namespace
 
 void SleeveContacts::list(const ShellModel& model, const double* centers, const double* radii,
-                          int grains, double margin)
+                          int grains, const GrainReach& grain_reach)
 {
-  margin_ = margin;
+  margin_ = grain_reach.skin();
   listed_travel_ = model.travel();
   listed_position_ = model.position();
   grid_.sort(model.facet(), model.position());
@@ -38,7 +38,7 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
   int most = 0;
   for (int i = 0; i < grains; ++i) {
     const Vec3 center = as_vec3(centers + 3 * i);
-    const double reach = radii[i] + 1.5 * margin;
+    const double reach = radii[i] + grain_reach.margin(i);
     if (bands.is_clear(center, reach)) continue;  // most grains
     const int begin = static_cast<int>(facet_.size());
     grid_.near(center, reach, [&](int f) {
