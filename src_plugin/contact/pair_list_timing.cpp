@@ -69,13 +69,14 @@ bool is_forced(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion)
   return false;
 }
 
-}  // namespace
-
-GrainReach grain_reach(LAMMPS_NS::LAMMPS* lmp)
+ListedGrains grains_of(LAMMPS_NS::Atom* atom)
 {
-  const auto owners = fixes_that_are<PairListTimingOwner>(lmp);
-  return GrainReach(lmp->neighbor->skin, owners.size() == 1 ? owners.front()->reach() : nullptr);
+  const int all = atom->nlocal + atom->nghost;
+  if (all == 0) return {};
+  return {atom->x[0], atom->v[0], atom->radius, atom->nlocal, all};
 }
+
+}  // namespace
 
 void PairListTiming::take_over(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* motion)
 {
@@ -96,24 +97,24 @@ void PairListTiming::start(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion,
 {
   if (!ours_) return;
   const LAMMPS_NS::Neighbor& neighbor = *lmp->neighbor;
-  const LAMMPS_NS::Atom& atom = *lmp->atom;
-  ListedGrains grains;
-  if (const int all = atom.nlocal + atom.nghost)
-    grains = {atom.x[0], atom.v[0], atom.radius, atom.nlocal, all};
+  const ListedGrains grains = grains_of(lmp->atom);
   ReachRule rule{0.5 * neighbor.skin, neighbor.cutneighmax, neighbor.contactDistanceFactor};
   if (!at_set_up && !is_forced(lmp, motion))
-    rule.horizon =
-        (getenv("HF") ? atof(getenv("HF")) : 1.0) *
-        reach_horizon(rule.least, sum_over_ranks(sum_of_speeds(grains), lmp->world) / atom.natoms);
+    rule.horizon = reach_horizon(rule.least, sum_over_ranks(sum_of_speeds(grains), lmp->world) /
+                                                 static_cast<double>(lmp->atom->natoms));
   account_.start(grains, rule);
 }
 
 void PairListTiming::ask(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* motion, double way)
 {
   if (!ours_) return;
-  const bool left = lmp->atom->nlocal > 0 &&
-                    account_.is_left(lmp->atom->x[0], ListedPlaces::of(lmp->neighbor), way);
-  if (on_any_rank(left, lmp->world)) motion->next_reneighbor = lmp->update->ntimestep;
+  using Answer = ReachAccount::Answer;
+  Answer answer = Answer::lists_hold;
+  if (account_.begin_step(way) && lmp->atom->nlocal > 0)
+    answer = account_.look(grains_of(lmp->atom), ListedPlaces::of(lmp->neighbor));
+  answer = static_cast<Answer>(max_over_ranks(static_cast<double>(answer), lmp->world));
+  if (answer == Answer::lists_end) motion->next_reneighbor = lmp->update->ntimestep;
+  if (answer == Answer::some_are_wider) lmp->comm->forward_comm_fix(motion);
 }
 
 }  // namespace encased_column

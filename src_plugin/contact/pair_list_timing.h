@@ -7,7 +7,8 @@
 namespace encased_column {
 
 /// Decides when lists are made: the host, by its own check of half a skin in every step, or we for
-/// the time of a run, with a reach for each grain.
+/// the time of a run, with a reach for each
+/// grain.
 class PairListTiming {
  public:
   /// Before a run, when the host has made its lists. `motion` moves the grains.
@@ -17,12 +18,23 @@ class PairListTiming {
   /// The host has made its lists. Those of a set-up, and of a step that a restart file may be
   /// written of, look the same in a run that goes on from the file: speeds do not, half a step on.
   void start(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, bool at_set_up);
-  /// Asks the host for lists in this step where a grain has left its reach; none went further than
-  /// `way` [m] in it.
+  /// A step in which no grain went further than `way` [m]: asks the host for lists where its
+  /// grains have left their reaches, or widens some.
   void ask(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* motion, double way);
 
-  /// Of owned grains and ghosts [m]; null where the host decides.
-  const double* reach() const { return ours_ ? account_.reach().data() : nullptr; }
+  /// Null where the host decides.
+  const ReachAccount* account() const { return ours_ ? &account_ : nullptr; }
+
+  /// Reaches for ghosts, by the host's messages.
+  int pack(int count, const int* grains, double* buffer) const
+  {
+    for (int n = 0; n < count; ++n) buffer[n] = account_.reach(grains[n]);
+    return 1;  // number each
+  }
+  void unpack(int count, int first, const double* buffer)
+  {
+    for (int n = 0; n < count; ++n) account_.set_reach(first + n, buffer[n]);
+  }
 
  private:
   bool ours_ = false;
@@ -32,14 +44,10 @@ class PairListTiming {
 /// The fix that moves the grains.
 class PairListTimingOwner {
  public:
-  virtual ~PairListTimingOwner() = default;
-  const double* reach() const { return list_timing_.reach(); }
+  PairListTiming list_timing;
 
  protected:
-  PairListTiming list_timing_;
+  virtual ~PairListTimingOwner() = default;
 };
-
-/// For lists that are made now.
-GrainReach grain_reach(LAMMPS_NS::LAMMPS* lmp);
 
 }  // namespace encased_column

@@ -39,6 +39,14 @@ class FixMotion : public MassScalingOwner,
   void pre_force(int) override;
   void final_integrate() override;
   void post_run() override;
+  int pack_comm(int n, int* grains, double* buffer, int, int*) override
+  {
+    return list_timing.pack(n, grains, buffer);
+  }
+  void unpack_comm(int n, int first, double* buffer) override
+  {
+    list_timing.unpack(n, first, buffer);
+  }
   int modify_param(int narg, char** arg) override;
   double compute_vector(int n) override
   {

@@ -3,7 +3,6 @@
 
 #include "contact/contact_context.h"
 #include "contact/contact_memory_fix.h"
-#include "contact/pair_list_timing.h"
 #include "core/input_error.h"
 #include "core/keyword_table.h"
 #include "host/grains_and_box.h"
@@ -96,7 +95,7 @@ void RigidWall::press_grains_with(const Shape& shape)
   // Radii grow in steps that make new lists.
   all_are_new_ = !advance_memory_ || neighbor->ago == 0 || material_is_new_;
   material_is_new_ = false;
-  if (neighbor->ago == 0 || near_.is_stale(position(), neighbor->skin)) list_grains_near(shape);
+  if (context_.needs_lists() || near_.is_stale(position(), neighbor->skin)) list_grains_near(shape);
   if (near_.numbers().empty()) return;
   const GrainArrays grains(atom);
   if (rolling_)
@@ -108,7 +107,7 @@ void RigidWall::press_grains_with(const Shape& shape)
 template <typename Shape>
 void RigidWall::list_grains_near(const Shape& shape)
 {
-  near_.list(shape, position(), grain_reach(lmp), atom->nlocal ? atom->x[0] : nullptr, atom->radius,
+  near_.list(shape, position(), context_.reach(), atom->nlocal ? atom->x[0] : nullptr, atom->radius,
              atom->nlocal, [this](int i) { return (atom->mask[i] & groupbit) != 0; });
   remember(near_.numbers());
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "shell/fix_mesh_surface_shell.h"
 
-#include "contact/pair_list_timing.h"
 #include "host/grains_and_box.h"
 #include "host/messages.h"
 #include "host/restart_block.h"
@@ -116,9 +115,9 @@ void FixMeshSurfaceShell::take_loads(bool at_set_up)
   sleeve_->start_loads(step_now(), window(), at_set_up);
   context_.ask_observers();
   // Lists of pairs and of facets are made together: grains keep their numbers in between.
-  if (neighbor->ago == 0 || sleeve_->needs_list())
+  if (context_.needs_lists() || sleeve_->needs_list())
     remember(sleeve_->list_grains(atom->nlocal ? atom->x[0] : nullptr, atom->radius, atom->nlocal,
-                                  grain_reach(lmp)));
+                                  context_.reach()));
   if (!sleeve_->has_grains_near()) return;
   if (rolling_)
     press(rolling_batch_, !at_set_up);
