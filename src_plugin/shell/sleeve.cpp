@@ -121,9 +121,12 @@ void Sleeve::start_loads(const SleeveStep& step, const HeightWindow& window, boo
 }
 
 const std::vector<int>& Sleeve::list_grains(const double* centers, const double* radii, int grains,
-                                            const GrainReach& reach)
+                                            const GrainReach& reach, bool anew)
 {
-  contacts_.list(model_, centers, radii, grains, reach);
+  if (anew)
+    contacts_.list(model_, centers, radii, grains, reach);
+  else
+    contacts_.add_wider(model_, centers, radii, grains, reach);
   return contacts_.grains();
 }
 

@@ -58,9 +58,10 @@ class Sleeve {
 
   /// True once the list below must be made again.
   bool needs_list() const { return contacts_.is_stale(model_); }
-  /// Lists the grains near by, see SleeveContacts::list(); returns their numbers.
+  /// Lists the grains near by, see SleeveContacts::list(), or those whose reach got wider in
+  /// addition where `anew` is false; returns their numbers.
   const std::vector<int>& list_grains(const double* centers, const double* radii, int grains,
-                                      const GrainReach& reach);
+                                      const GrainReach& reach, bool anew = true);
   bool has_grains_near() const { return !contacts_.grains().empty(); }
   /// Takes the loads of the grains, see SleeveContacts::resolve().
   template <typename Grains, typename Law>

@@ -35,22 +35,56 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
   near_.clear();
   facet_.clear();
   const HeightBands bands(model.facet(), model.position());
-  int most = 0;
   for (int i = 0; i < grains; ++i) {
     const Vec3 center = as_vec3(centers + 3 * i);
     const double reach = radii[i] + grain_reach.margin(i);
     if (bands.is_clear(center, reach)) continue;  // most grains
-    const int begin = static_cast<int>(facet_.size());
-    grid_.near(center, reach, [&](int f) {
-      if (distance_to_facet(model.corners(f), center) < reach) facet_.push_back(f);
-    });
-    const int end = static_cast<int>(facet_.size());
-    if (end == begin) continue;
+    const Near near = find_facets(model, center, radii[i], reach);
+    if (near.end == near.begin) continue;
     grain_.push_back(i);
-    // Nothing is known of its gaps: it is looked at as soon as contacts are asked for.
-    near_.push_back({begin, end, not_known, -1.0, 0.0, center, radii[i], listed_travel_});
-    most = std::max(most, end - begin);
+    near_.push_back(near);
   }
+  make_room();
+}
+
+// Nodes may be half the margin from where the grid found them, and move by all of it.
+void SleeveContacts::add_wider(const ShellModel& model, const double* centers, const double* radii,
+                               int grains, const GrainReach& grain_reach)
+{
+  for (const int i : grain_reach.wider()) {
+    if (i >= grains) continue;  // a ghost
+    const double reach = radii[i] + grain_reach.margin(i) + 0.5 * margin_;
+    const Near near = find_facets(model, as_vec3(centers + 3 * i), radii[i], reach);
+    if (near.end == near.begin) continue;
+    const auto place = std::lower_bound(grain_.begin(), grain_.end(), i);
+    const auto n = place - grain_.begin();
+    if (place != grain_.end() && *place == i) {
+      near_[n] = near;
+    } else {
+      grain_.insert(place, i);
+      near_.insert(near_.begin() + n, near);
+    }
+  }
+  make_room();
+}
+
+/// Lists the facets within `reach` [m] of a grain. Nothing is known of its gaps: it is looked at as
+/// soon as contacts are asked for.
+SleeveContacts::Near SleeveContacts::find_facets(const ShellModel& model, const Vec3& center,
+                                                 double radius, double reach)
+{
+  const int begin = static_cast<int>(facet_.size());
+  grid_.near(center, reach, [&](int f) {
+    if (distance_to_facet(model.corners(f), center) < reach) facet_.push_back(f);
+  });
+  const int end = static_cast<int>(facet_.size());
+  return {begin, end, not_known, -1.0, 0.0, center, radius, model.travel()};
+}
+
+void SleeveContacts::make_room()
+{
+  int most = 0;
+  for (const Near& near : near_) most = std::max(most, near.end - near.begin);
   close_.resize(facet_.size());
   gap_.resize(facet_.size());
   touches_.make_room((in_block + 1) * most);  // of a block, and those of one grain

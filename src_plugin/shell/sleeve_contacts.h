@@ -57,6 +57,9 @@ class SleeveContacts {
   /// at.
   void list(const ShellModel& model, const double* centers, const double* radii, int grains,
             const GrainReach& reach);
+  /// Lists the facets of those anew whose reach got wider since.
+  void add_wider(const ShellModel& model, const double* centers, const double* radii, int grains,
+                 const GrainReach& reach);
   /// True once a node has moved more than half the margin since list().
   bool is_stale(const ShellModel& model) const;
   /// Listed grains, in the order of their numbers.
@@ -141,6 +144,8 @@ class SleeveContacts {
     forget(count);
   }
 
+  Near find_facets(const ShellModel& model, const Vec3& center, double radius, double reach);
+  void make_room();
   void look_at(const ShellModel& model, int n, const Vec3& center, double radius, double closed);
   void take_gaps(const Look& look);
   std::optional<GrainBehind> find_contacts();
