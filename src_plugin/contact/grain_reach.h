@@ -84,6 +84,8 @@ class ReachAccount {
   const std::vector<int>& wider() const { return wider_; }
 
  private:
+  double least_gap(const ListedGrains& grains, const double* listed) const;
+
   ReachRule rule_;
   std::vector<double> reach_;
   std::vector<int> wider_;

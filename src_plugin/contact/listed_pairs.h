@@ -45,6 +45,12 @@ class ListedPairs {
 
   int size() const { return static_cast<int>(first_.size()); }
   const int* first() const { return first_.data(); }
+  /// How many pairs have i as their first grain, where they are in that order.
+  int in_row_of(int i) const
+  {
+    const auto [begin, end] = std::equal_range(first_.begin(), first_.end(), i);
+    return static_cast<int>(end - begin);
+  }
   int* second() { return second_.data(); }
   const int* second() const { return second_.data(); }
   std::size_t bytes() const

@@ -70,8 +70,10 @@ void PairList::build(LAMMPS_NS::NeighList& list, ListedPairs& pairs, const Grain
   GrainGrid grid;
   grid.sort(all ? atom->x[0] : nullptr, wide.data(), all);
   for (int i = 0; i < owned; ++i) {
-    list.ilist[i] = i;
+    const int begin = pairs.size();
     grid.near(as_vec3(atom->x[i]), wide[i], i + 1, [&](int j) { pairs.add(i, j); });
+    list.ilist[i] = i;
+    list.numneigh[i] = pairs.size() - begin;
   }
   give_rows(list, pairs);
   list.inum = owned;
@@ -96,21 +98,19 @@ void PairList::add_wider(LAMMPS_NS::NeighList& list, PairHistory& history, const
     }
   }
   history.take_back();
-  history.pairs.insert(std::move(more));
+  history.pairs.insert(more);
+  for (const auto& pair : more) list.numneigh[pair.first] = history.pairs.in_row_of(pair.first);
   give_rows(list, history.pairs);
 }
 
-/// The host's rows are ours.
+/// The host's rows, of known lengths, are ours.
 void PairList::give_rows(LAMMPS_NS::NeighList& list, ListedPairs& pairs)
 {
   const int owned = lmp_->atom->nlocal;
   int begin = 0;
   for (int i = 0; i < owned; ++i) {
-    int end = begin;
-    while (end < pairs.size() && pairs.first()[end] == i) ++end;
     list.firstneigh[i] = pairs.second() + begin;
-    list.numneigh[i] = end - begin;
-    begin = end;
+    begin += list.numneigh[i];
     if (list.numneigh[i] > list.oneatom)
       lmp_->error->one(FLERR, ("a grain has more than " + std::to_string(list.oneatom) +
                                " neighbours, write 'neigh_modify one' with a larger number and "
