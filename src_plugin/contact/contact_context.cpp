@@ -37,6 +37,8 @@ void ContactContext::open(bool rolling)
 
   const auto movers = fixes_that_are<MassScalingOwner>(lmp_);
   mass_scaling_ = movers.empty() ? nullptr : &movers.front()->mass_scaling;
+  const auto timings = fixes_that_are<PairListTimingOwner>(lmp_);
+  list_timing_ = timings.empty() ? nullptr : &timings.front()->list_timing;
   observers_ = fixes_that_are<ContactObserver>(lmp_);
   const auto accounts = fixes_that_are<ContactLossOwner>(lmp_);
   losses_ = accounts.empty() ? &no_account_ : &accounts.front()->contact_losses;

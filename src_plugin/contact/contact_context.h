@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
+#include "contact/pair_list_timing.h"
 #include "contact/rolling_batch.h"
 #include "dynamics/mass_scaling.h"
 #include "host/contact_observer.h"
@@ -38,6 +39,15 @@ class ContactContext {
   {
     return materials_[type_i * stride_ + type_j];
   }
+
+  /// How far grains may be from where lists found them.
+  GrainReach reach() const
+  {
+    return GrainReach(lmp_->neighbor->skin, list_timing_ ? list_timing_->account() : nullptr);
+  }
+  /// True where what is near the grains must be listed in this step, since they were themselves, or
+  /// may go further than was known.
+  bool needs_lists() const { return lmp_->neighbor->ago == 0 || reach().is_wider_here(); }
 
   /// False where no pair of types has a dashpot: the effective mass is not needed then.
   bool has_dashpots() const { return has_dashpots_; }
@@ -97,6 +107,7 @@ class ContactContext {
   std::vector<FrictionFactorOwner*> friction_factors_;
   double friction_factor_ = 1.0;  ///< that the materials have
   MassScaling* mass_scaling_ = nullptr;
+  const PairListTiming* list_timing_ = nullptr;
   std::vector<ContactObserver*> observers_, active_;
   ContactLosses no_account_;
   ContactLosses* losses_ = &no_account_;

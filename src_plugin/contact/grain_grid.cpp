@@ -38,11 +38,8 @@ void GrainGrid::Level::lay_grid(const Spheres& spheres, double finest_size)
   grid.lay(low, size, cells);
 }
 
-void GrainGrid::sort(const double* centers, const double* radii, int count, double factor,
-                     double margin)
+void GrainGrid::sort(const double* centers, const double* radii, int count)
 {
-  factor_ = factor;
-  margin_ = margin;
   const double largest = count > 0 ? *std::max_element(radii, radii + count) : 0.0;
   const auto level_of = [&](int i) {
     return std::min(most_levels - 1, std::ilogb(largest / radii[i]));
@@ -56,7 +53,7 @@ void GrainGrid::sort(const double* centers, const double* radii, int count, doub
     Level& level = levels_[used++];
     level.largest = 0.0;
     for (int i : spheres.numbers) level.largest = std::max(level.largest, radii[i]);
-    level.lay_grid(spheres, 2.0 * factor * level.largest + margin);
+    level.lay_grid(spheres, 2.0 * level.largest);
     level.grid.sort(
         spheres, [](const Sphere& sphere) -> auto& { return sphere.center; });
   }

@@ -10,27 +10,25 @@
 
 namespace encased_column {
 
-/// Spheres of very different sizes, sorted to find those near each other: one grid of cubes for
-/// every factor of two in size, so that fines are not looked for in cubes as wide as the largest
-/// (hierarchical grid, Ogarko and Luding, Comput. Phys. Commun. 183, 2012).
+/// Spheres of very different sizes, sorted to find those that touch each other: one grid of cubes
+/// for every factor of two in size, so that fines are not looked for in cubes as wide as the
+/// largest (hierarchical grid, Ogarko and Luding, Comput. Phys. Commun. 183, 2012).
 class GrainGrid {
  public:
-  /// Sorts `count` spheres with `centers` in a row of triples [m] and `radii` [m], to find those
-  /// that come as near as factor (r_i + r_j) + margin [m].
-  void sort(const double* centers, const double* radii, int count, double factor, double margin);
+  /// Sorts `count` spheres with `centers` in a row of triples [m] and `radii` [m].
+  void sort(const double* centers, const double* radii, int count);
 
-  /// Calls `found(j)` for every sorted sphere j that is `first` or later and as near to one at
+  /// Calls `found(j)` for every sorted sphere j that is `first` or later and touches one at
   /// `center` [m] with `radius` [m], and may for one farther by 2e-7 of its radius.
   template <typename Found>
   void near(const Vec3& center, double radius, int first, const Found& found) const
   {
     for (const Level& level : levels_) {
-      const double range = factor_ * (radius + level.largest) + margin_;
-      level.grid.near(center, range, [&](const Sphere& other) {
+      level.grid.near(center, radius + level.largest, [&](const Sphere& other) {
         if (other.number < first) return;
         const double x = other.center[0] - center(0), y = other.center[1] - center(1),
                      z = other.center[2] - center(2);
-        const double reach = factor_ * (radius + other.radius) + margin_;
+        const double reach = radius + other.radius;
         if (x * x + y * y + z * z <= reach * reach) found(other.number);
       });
     }
@@ -69,7 +67,6 @@ class GrainGrid {
     CellGrid<Sphere> grid;
   };
 
-  double factor_ = 1.0, margin_ = 0.0;
   std::vector<Level> levels_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace encased_column {
@@ -30,15 +32,25 @@ class ListedPairs {
     second_.push_back(j);
   }
   /// Once all pairs are there: none remembers anything. Memories never move until the next list, as
-  /// there is room for those of all; the machine gives memory only to those that are written.
+  /// there is room for those of all, and some to come; the machine gives memory only to those that
+  /// are written.
   void end()
   {
     rows_.assign(first_.size(), none);
-    memories_.reserve(first_.size() * numbers_);
+    memories_.reserve((first_.size() + first_.size() / 8) * numbers_);
   }
+  /// Adds those of `more` that are not there yet, where pairs are in the order of their first
+  /// grains; they remember nothing. Memories may move.
+  void insert(std::vector<std::pair<int, int>> more);
 
   int size() const { return static_cast<int>(first_.size()); }
   const int* first() const { return first_.data(); }
+  /// How many pairs have i as their first grain, where they are in that order.
+  int in_row_of(int i) const
+  {
+    const auto [begin, end] = std::equal_range(first_.begin(), first_.end(), i);
+    return static_cast<int>(end - begin);
+  }
   int* second() { return second_.data(); }
   const int* second() const { return second_.data(); }
   std::size_t bytes() const
@@ -79,11 +91,45 @@ class ListedPairs {
     return static_cast<int>(begin / numbers_);
   }
 
+  bool has(const std::pair<int, int>& pair) const
+  {
+    const auto [begin, end] = std::equal_range(first_.begin(), first_.end(), pair.first);
+    const auto row_end = second_.begin() + (end - first_.begin());
+    return std::find(second_.begin() + (begin - first_.begin()), row_end, pair.second) != row_end;
+  }
+
   std::vector<int> first_, second_;  ///< the grains of each pair
   std::vector<int> rows_;            ///< of each pair in the memories, or none
   std::vector<double> memories_;
   int numbers_ = 1, place_ = 0;
   double last_step_ = -1.0;
 };
+
+// From the last one on, so that each pair moves once.
+inline void ListedPairs::insert(std::vector<std::pair<int, int>> more)
+{
+  std::sort(more.begin(), more.end());
+  more.erase(std::unique(more.begin(), more.end()), more.end());
+  more.erase(
+      std::remove_if(more.begin(), more.end(), [this](const auto& pair) { return has(pair); }),
+      more.end());
+  std::size_t from = first_.size(), to = from + more.size();
+  first_.resize(to);
+  second_.resize(to);
+  rows_.resize(to);
+  memories_.reserve(to * numbers_);
+  for (; !more.empty(); --to) {
+    if (from > 0 && first_[from - 1] > more.back().first) {
+      --from;
+      first_[to - 1] = first_[from];
+      second_[to - 1] = second_[from];
+      rows_[to - 1] = rows_[from];
+    } else {
+      std::tie(first_[to - 1], second_[to - 1]) = more.back();
+      rows_[to - 1] = none;
+      more.pop_back();
+    }
+  }
+}
 
 }  // namespace encased_column

@@ -62,7 +62,7 @@ class PairLinear
 
   void compute_force(PairGran* pair, int eflag, int vflag, int addflag) override
   {
-    list_.update(*pair->list, *history_, memory_ + 3);
+    list_.update(*pair->list, *history_, memory_ + 3, context_.reach());
     const bool advance = pair->computeflag() && pair->shearupdate();
     if (loop_ == PairLoop::host || wants_host_loop(pair, eflag, vflag)) {
       history_->lend(*pair->list);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
-#include "contact/grain_grid.h"
+#include "contact/grain_reach.h"
 #include "contact/pair_history.h"
 
 #include <utility>
@@ -13,7 +13,8 @@ class PairGran;
 namespace encased_column {
 
 /// Makes the neighbour list of the linear law's pairs in place of the host, whose one grid serves
-/// grains of 15 to 1 badly: the same pairs, which the host's own list then points to.
+/// grains of 15 to 1 badly: the pairs that may touch until a grain leaves its reach, which the
+/// host's own list then points to.
 ///
 /// The host builds no list that is asked for as occasional; this object asks so for the pair
 /// style's and fills it before the first force after each of the host's builds.
@@ -25,15 +26,21 @@ class PairList {
   /// host's own build or its bins (meshes of the host, exclusions), nothing changes. Saves what
   /// contacts remember; throws InputError for a `neighbor` style that finds no contacts.
   void take_over(LAMMPS_NS::PairGran* pair);
+  /// True where the host's own list of pairs, or its bins, are needed.
+  static bool host_list_is_needed(LAMMPS_NS::LAMMPS* lmp);
 
-  /// Before forces: makes the host's `list` if it is not there yet. The pairs of a new one go to
-  /// `history`, whose contacts remember the step they were last seen at `place`.
-  void update(LAMMPS_NS::NeighList& list, PairHistory& history, int place)
+  /// Before forces: makes the host's `list` if it is not there yet, by the `reach` of its grains,
+  /// and adds to it where that got wider. The pairs of a new one go to `history`, whose contacts
+  /// remember the step they were last seen at `place`.
+  void update(LAMMPS_NS::NeighList& list, PairHistory& history, int place, const GrainReach& reach)
   {
-    if (built() == built_) return;
+    if (built() == built_) {
+      if (reach.is_wider_here()) add_wider(list, history, reach);
+      return;
+    }
     history.pairs.start(history.get_dnum(), place);
     if (taken_over_)
-      build(list, history.pairs);
+      build(list, history.pairs, reach);
     else
       read(list, history.pairs);
     history.pairs.end();
@@ -46,8 +53,9 @@ class PairList {
 
   /// Number and step of the host's last build.
   Build built() const { return {lmp_->neighbor->ncalls, lmp_->neighbor->lastcall}; }
-  bool host_list_is_needed() const;
-  void build(LAMMPS_NS::NeighList& list, ListedPairs& pairs);
+  void build(LAMMPS_NS::NeighList& list, ListedPairs& pairs, const GrainReach& reach);
+  void add_wider(LAMMPS_NS::NeighList& list, PairHistory& history, const GrainReach& reach);
+  void give_rows(LAMMPS_NS::NeighList& list, ListedPairs& pairs);
   static void read(const LAMMPS_NS::NeighList& list, ListedPairs& pairs);
 
   LAMMPS_NS::LAMMPS* lmp_;

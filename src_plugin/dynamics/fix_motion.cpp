@@ -25,6 +25,7 @@ FixMotion::FixMotion(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   restart_global = vector_flag = global_freq = 1;
   size_vector = 7;
   extvector = 0;
+  force_reneighbor = comm_forward = 1;
 }
 
 int FixMotion::modify_param(int narg, char** arg)
@@ -76,6 +77,7 @@ void FixMotion::setup_pre_force(int)
 {
   stage_ = Stage::set_up;
   force_start_.take_over(lmp, this, watchers_.look_always());
+  list_timing.take_over(lmp, this);
   masses_ = on_any_rank(masses_ == Masses::wanted_in_set_up || made_grains_, world)
                 ? Masses::wanted_in_set_up
                 : Masses::found;
@@ -154,6 +156,7 @@ void FixMotion::initial_integrate(int)
   motion_.begin_step(grains(), mass_scaling, update->dt, force_start_.gravity(),
                      force_start_.weight());
   force_start_.set_started();
+  list_timing.ask(lmp, this, motion_.longest_way);
 }
 
 // New grains come with new lists, and maybe on one rank alone.
@@ -162,6 +165,7 @@ void FixMotion::pre_force(int)
   const bool new_lists = neighbor->ago == 0;
   mass_scaling.begin_step(grains(), stage_ == Stage::in_steps);
   if (new_lists) {
+    list_timing.start(lmp, this, stage_ == Stage::set_up);
     mass_scaling.admit_new_grains();
     if (on_any_rank(made_grains_, world)) masses_ = Masses::wanted_in_step;
     made_grains_ = false;
@@ -171,12 +175,6 @@ void FixMotion::pre_force(int)
   if (!wants_contacts(update->ntimestep)) return;
   mass_scaling.clear_contacts();
   loads_.clear(atom->nlocal);
-}
-
-bool FixMotion::wants_contacts(LAMMPS_NS::bigint step) const
-{
-  return stage_ == Stage::set_up || masses_ == Masses::wanted_in_step ||
-         step % settings_.every == 0;
 }
 
 void FixMotion::add_contact(const Contact& contact)
@@ -205,6 +203,7 @@ void FixMotion::post_run()
   complete_step();
   motion_.damping = settings_.damping;
   force_start_.give_back(lmp);
+  list_timing.give_back(lmp, this);
 }
 
 /// In a restart file, in this order.

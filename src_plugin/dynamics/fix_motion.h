@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
+#include "contact/pair_list_timing.h"
 #include "dynamics/grain_motion.h"
 #include "dynamics/mass_scaling.h"
 #include "dynamics/motion_settings.h"
@@ -17,7 +18,10 @@ namespace encased_column {
 
 /// Moves the grains: central differences with local damping, a stable step found from the contact
 /// stiffness of every grain, and density scaling when the deck sets the step.
-class FixMotion : public MassScalingOwner, public GrainNumberFix, public ContactObserver {
+class FixMotion : public MassScalingOwner,
+                  public GrainNumberFix,
+                  public ContactObserver,
+                  public PairListTimingOwner {
  public:
   inline static const KeywordTable& keywords = MotionSettings::keywords;
 
@@ -35,6 +39,14 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
   void pre_force(int) override;
   void final_integrate() override;
   void post_run() override;
+  int pack_comm(int n, int* grains, double* buffer, int, int*) override
+  {
+    return list_timing.pack(n, grains, buffer);
+  }
+  void unpack_comm(int n, int first, double* buffer) override
+  {
+    list_timing.unpack(n, first, buffer);
+  }
   int modify_param(int narg, char** arg) override;
   double compute_vector(int n) override
   {
@@ -47,7 +59,11 @@ class FixMotion : public MassScalingOwner, public GrainNumberFix, public Contact
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
-  bool wants_contacts(LAMMPS_NS::bigint step) const override;
+  bool wants_contacts(LAMMPS_NS::bigint step) const override
+  {
+    return stage_ == Stage::set_up || masses_ == Masses::wanted_in_step ||
+           step % settings_.every == 0;
+  }
   void add_contact(const Contact& contact) override;
 
   /// As of the last step that `every` divides.

@@ -4,6 +4,7 @@
 #include "dynamics/inertia.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace encased_column {
 
@@ -60,6 +61,7 @@ void GrainMotion::begin_step(const StepGrains& grains, MassScaling& masses, doub
                              const Vec3& gravity, const Vec3* weight)
 {
   const bool is_due = kicks_ == Kicks::last_half_is_due;
+  double fastest = 0.0;
   if (is_due) masses.sort_raised();
   for_batches(grains, [&](int first, int count) {
     const GrainBatch kicked = batch(grains, masses, first, count);
@@ -76,12 +78,14 @@ void GrainMotion::begin_step(const StepGrains& grains, MassScaling& masses, doub
       kick = kick_grains(kicked, damping, 0.5 * dt);
     }
     loss += kick.loss;
+    fastest = std::max(fastest, kick.fastest);
     if (3.0 * kick.fastest > free_speed_square) slow_down(grains, masses, first, count, gravity);
     double* const __restrict x = grains.position + 3 * first;
     const double* const __restrict v = grains.velocity + 3 * first;
     for (int k = 0; k < 3 * count; ++k) x[k] += dt * v[k];
     if (weight) start_sums(grains, first, count, *weight);
   });
+  longest_way = std::sqrt(3.0 * fastest) * dt;
   masses.settle();
   loss += masses.take_loss();
   kicks_ = Kicks::complete;

@@ -28,7 +28,8 @@ class GrainMotion {
  public:
   double damping = 0.7;                                                ///< alpha [-]
   double free_speed_square = std::numeric_limits<double>::infinity();  ///< [m^2/s^2]
-  double loss = 0.0;  ///< energy [J] that damping, free speed and changes of mass took out
+  double longest_way = 0.0;  ///< bound of what a grain went in the last step [m]
+  double loss = 0.0;         ///< energy [J] that damping, free speed and changes of mass took out
 
   /// The forces of a step are made: its last half kick is due.
   void end_step() { kicks_ = Kicks::last_half_is_due; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "host/force_start.h"
 
-#include "host/contact_observer.h"
 #include "host/find_fix.h"
 #include "host/gravity.h"
 #include "host/host_types.h"
@@ -22,20 +21,6 @@ struct ForceClearing : LAMMPS_NS::Integrate {
   }
 };
 
-/// True where a fix of the host acts at one of `stages`, up to the fix `last` in the deck's order.
-bool others_act(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, int stages,
-                const LAMMPS_NS::Fix* last)
-{
-  for (int n = 0; n < lmp->modify->nfix; ++n) {
-    const LAMMPS_NS::Fix* const fix = lmp->modify->fix[n];
-    if (fix == last) return false;
-    const bool ours = fix == motion || dynamic_cast<const IgnoresVelocity*>(fix) ||
-                      dynamic_cast<const ContactObserver*>(fix);
-    if (!ours && (lmp->modify->fmask[n] & stages)) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 // Grains outside the group are the host's, and what else its integrator clears. Others may add
@@ -46,9 +31,9 @@ void ForceStart::take_over(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion,
   using namespace LAMMPS_NS::FixConst;
   const LAMMPS_NS::Atom* const atom = lmp->atom;
   gravity_ = gravity_of(lmp);
-  const bool ours = motion->igroup == 0 && !watched &&
-                    !others_act(lmp, motion, PRE_FORCE, nullptr) && !lmp->neighbor->includegroup &&
-                    !atom->erforce_flag && !atom->e_flag && !atom->rho_flag;
+  const bool ours = motion->igroup == 0 && !watched && !others_act(lmp, motion, PRE_FORCE) &&
+                    !lmp->neighbor->includegroup && !atom->erforce_flag && !atom->e_flag &&
+                    !atom->rho_flag;
   sums_ = ours ? Sums::ours : Sums::of_host;
   const auto gravities = fixes_that_are<FixGravityOfMotion>(lmp);
   const bool with_weight = ours && gravities.size() == 1 && gravities.front()->is_plain() &&

@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "host/velocity_watchers.h"
 
+#include "host/contact_observer.h"
+
 #include "output.h"
 
 #include <algorithm>
 
 namespace encased_column {
+
+bool others_act(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, int stages,
+                const LAMMPS_NS::Fix* last)
+{
+  for (int n = 0; n < lmp->modify->nfix; ++n) {
+    const LAMMPS_NS::Fix* const fix = lmp->modify->fix[n];
+    if (fix == last) return false;
+    const bool ours = fix == motion || dynamic_cast<const IgnoresVelocity*>(fix) ||
+                      dynamic_cast<const ContactObserver*>(fix);
+    if (!ours && (lmp->modify->fmask[n] & stages)) return true;
+  }
+  return false;
+}
 
 void VelocityWatchers::find(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion)
 {

@@ -14,6 +14,11 @@ class IgnoresVelocity {
   virtual ~IgnoresVelocity() = default;
 };
 
+/// True where a fix of the host acts at one of `stages` of a step, up to the fix `last` in the
+/// deck's order; `motion` is the fix that asks.
+bool others_act(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, int stages,
+                const LAMMPS_NS::Fix* last = nullptr);
+
 /// Which fixes read the velocities of grains, and when. A fix that is not an IgnoresVelocity may do
 /// so wherever it acts.
 class VelocityWatchers {

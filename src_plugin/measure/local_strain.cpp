@@ -72,7 +72,7 @@ std::vector<double> local_deviatoric_strain(const std::vector<MovedGrain>& grain
   const double reach = 0.5 * range;  // of each of two, as the grid looks for spheres that touch
   GrainGrid grid;
   grid.sort(centers.data(), std::vector<double>(coarse.size(), reach).data(),
-            static_cast<int>(coarse.size()), 1.0, 0.0);
+            static_cast<int>(coarse.size()));
 
   std::vector<double> strain;
   for (const MovedGrain& grain : grains) {

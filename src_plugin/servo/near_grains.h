@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
+#include "contact/grain_reach.h"
 #include "core/vec3.h"
 
 #include <algorithm>
@@ -13,19 +14,19 @@ namespace encased_column {
 /// keep their numbers in between.
 class NearGrains {
  public:
-  /// Lists those grains of `count` that are near `shape` and that `counts(i)`. A grain is at most
-  /// half a `skin` [m] away from where the last list of pairs found it, so it moves less than a
-  /// whole one after this list, and the wall half a skin: see is_stale(). Centers in a row of
-  /// triples and radii [m]; `position` [m] says where the wall is.
+  /// Lists those grains of `count` that are near `shape` and that `counts(i)`. A grain is inside
+  /// its `reach` around where the last list of pairs found it, so it moves less than twice that
+  /// after this list, and the wall half a skin: see is_stale(). Centers in a row of triples and
+  /// radii [m]; `position` [m] says where the wall is.
   template <typename Shape, typename Counts>
-  void list(const Shape& shape, double position, double skin, const double* centers,
+  void list(const Shape& shape, double position, const GrainReach& reach, const double* centers,
             const double* radii, int count, const Counts& counts)
   {
-    const double margin = 1.5 * skin;
     numbers_.clear();
     listed_position_ = position;
     for (int i = 0; i < count; ++i)
-      if (counts(i) && shape.touches(centers + 3 * i, radii[i] + margin)) numbers_.push_back(i);
+      if (counts(i) && shape.touches(centers + 3 * i, radii[i] + reach.margin(i)))
+        numbers_.push_back(i);
   }
   bool is_stale(double position, double skin) const
   {

@@ -95,7 +95,7 @@ void RigidWall::press_grains_with(const Shape& shape)
   // Radii grow in steps that make new lists.
   all_are_new_ = !advance_memory_ || neighbor->ago == 0 || material_is_new_;
   material_is_new_ = false;
-  if (neighbor->ago == 0 || near_.is_stale(position(), neighbor->skin)) list_grains_near(shape);
+  if (context_.needs_lists() || near_.is_stale(position(), neighbor->skin)) list_grains_near(shape);
   if (near_.numbers().empty()) return;
   const GrainArrays grains(atom);
   if (rolling_)
@@ -107,7 +107,7 @@ void RigidWall::press_grains_with(const Shape& shape)
 template <typename Shape>
 void RigidWall::list_grains_near(const Shape& shape)
 {
-  near_.list(shape, position(), neighbor->skin, atom->nlocal ? atom->x[0] : nullptr, atom->radius,
+  near_.list(shape, position(), context_.reach(), atom->nlocal ? atom->x[0] : nullptr, atom->radius,
              atom->nlocal, [this](int i) { return (atom->mask[i] & groupbit) != 0; });
   remember(near_.numbers());
 }

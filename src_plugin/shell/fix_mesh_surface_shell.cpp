@@ -113,10 +113,10 @@ void FixMeshSurfaceShell::take_loads(bool at_set_up)
 {
   sleeve_->start_loads(step_now(), window(), at_set_up);
   context_.ask_observers();
-  // Lists of pairs and of facets are made together: grains keep their numbers in between.
-  if (neighbor->ago == 0 || sleeve_->needs_list())
+  const bool anew = neighbor->ago == 0 || sleeve_->needs_list();
+  if (anew || context_.reach().is_wider())
     remember(sleeve_->list_grains(atom->nlocal ? atom->x[0] : nullptr, atom->radius, atom->nlocal,
-                                  neighbor->skin, AllRanks{world}));
+                                  context_.reach(), anew, AllRanks{world}));
   if (!sleeve_->has_grains_near()) return;
   if (rolling_)
     press(rolling_batch_, !at_set_up);

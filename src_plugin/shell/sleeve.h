@@ -60,13 +60,16 @@ class Sleeve {
 
   /// True once the list below must be made again.
   bool needs_list() const { return contacts_.is_stale(model_); }
-  /// Lists the grains near by, see SleeveContacts::list(), at the same step on all ranks; returns
-  /// their numbers.
+  /// Lists the grains near by, see SleeveContacts::list(), or those whose reach got wider in
+  /// addition where `anew` is false, at the same step on all ranks; returns their numbers.
   template <typename Ranks>
   const std::vector<int>& list_grains(const double* centers, const double* radii, int grains,
-                                      double margin, const Ranks& ranks)
+                                      const GrainReach& reach, bool anew, const Ranks& ranks)
   {
-    contacts_.list(model_, centers, radii, grains, margin);
+    if (anew)
+      contacts_.list(model_, centers, radii, grains, reach);
+    else
+      contacts_.add_wider(model_, centers, radii, grains, reach);
     if (rank_.count > 1) touched_.list(model_.facet(), first_, last_, contacts_.facets(), ranks);
     return contacts_.grains();
   }

@@ -17,9 +17,9 @@ constexpr double look_again = 0.1;
 }  // namespace
 
 void SleeveContacts::list(const ShellModel& model, const double* centers, const double* radii,
-                          int grains, double margin)
+                          int grains, const GrainReach& grain_reach)
 {
-  margin_ = margin;
+  margin_ = grain_reach.skin();
   listed_travel_ = model.travel();
   listed_position_ = model.position();
   grid_.sort(model.facet(), model.position());
@@ -28,28 +28,70 @@ void SleeveContacts::list(const ShellModel& model, const double* centers, const 
   hold_.clear();
   facet_.clear();
   const HeightBands bands(model.facet(), model.position());
-  int most = 0;
   for (int i = 0; i < grains; ++i) {
     const Vec3 center = as_vec3(centers + 3 * i);
-    const double reach = radii[i] + 1.5 * margin;
+    const double reach = radii[i] + grain_reach.margin(i);
     if (bands.is_clear(center, reach)) continue;  // most grains
-    const int begin = static_cast<int>(facet_.size());
-    touches_.clear();
-    grid_.near(center, reach, [&](int f) {
-      touches_.make_room(touches_.count() + 1);
-      touches_.add(f, model.facet()[f], model.position(), center, radii[i]);
-    });
-    touches_.find_nearest(0);
-    for (int p = 0; p < touches_.count(); ++p)
-      if (touches_.gap(p) < reach - radii[i]) facet_.push_back(touches_.facet(p));
-    const int end = static_cast<int>(facet_.size());
-    if (end == begin) continue;
+    const Near near = find_facets(model, center, radii[i], reach);
+    if (near.end == near.begin) continue;
     grain_.push_back(i);
-    // Nothing is known of its gaps: it is looked at as soon as contacts are asked for.
-    near_.push_back({begin, end, not_known, 0.0, radii[i], listed_travel_});
-    hold_.push_back({center, -std::numeric_limits<double>::infinity()});
-    most = std::max(most, end - begin);
+    near_.push_back(near);
+    hold_.push_back(not_looked_at(center));
   }
+  make_room();
+}
+
+// Nodes may be half the margin from where the grid found them, and move by all of it.
+void SleeveContacts::add_wider(const ShellModel& model, const double* centers, const double* radii,
+                               int grains, const GrainReach& grain_reach)
+{
+  for (const int i : grain_reach.wider()) {
+    if (i >= grains) continue;  // a ghost
+    const double reach = radii[i] + grain_reach.margin(i) + 0.5 * margin_;
+    const Vec3 center = as_vec3(centers + 3 * i);
+    const Near near = find_facets(model, center, radii[i], reach);
+    if (near.end == near.begin) continue;
+    const auto place = std::lower_bound(grain_.begin(), grain_.end(), i);
+    const auto n = place - grain_.begin();
+    if (place != grain_.end() && *place == i) {
+      near_[n] = near;
+      hold_[n] = not_looked_at(center);
+    } else {
+      grain_.insert(place, i);
+      near_.insert(near_.begin() + n, near);
+      hold_.insert(hold_.begin() + n, not_looked_at(center));
+    }
+  }
+  make_room();
+}
+
+/// Lists the facets within `reach` [m] of a grain.
+SleeveContacts::Near SleeveContacts::find_facets(const ShellModel& model, const Vec3& center,
+                                                 double radius, double reach)
+{
+  const int begin = static_cast<int>(facet_.size());
+  touches_.clear();
+  grid_.near(center, reach, [&](int f) {
+    touches_.make_room(touches_.count() + 1);
+    touches_.add(f, model.facet()[f], model.position(), center, radius);
+  });
+  touches_.find_nearest(0);
+  for (int p = 0; p < touches_.count(); ++p)
+    if (touches_.gap(p) < reach - radius) facet_.push_back(touches_.facet(p));
+  const int end = static_cast<int>(facet_.size());
+  return {begin, end, not_known, 0.0, radius, model.travel()};
+}
+
+/// Nothing is known of its gaps: it is looked at as soon as contacts are asked for.
+SleeveContacts::Hold SleeveContacts::not_looked_at(const Vec3& center)
+{
+  return {center, -std::numeric_limits<double>::infinity()};
+}
+
+void SleeveContacts::make_room()
+{
+  int most = 0;
+  for (const Near& near : near_) most = std::max(most, near.end - near.begin);
   close_.resize(facet_.size());
   pick_.resize(grain_.size());
   touches_.make_room((in_block + 1) * most);  // of a block, and those of one grain

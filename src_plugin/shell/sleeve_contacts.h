@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #pragma once
 
+#include "contact/grain_reach.h"
 #include "contact/resolve_contact.h"
 #include "shell/facet_grid.h"
 #include "shell/facet_touches.h"
@@ -50,12 +51,16 @@ class SleeveContacts {
  public:
   static constexpr int in_block = 32;  ///< contacts at most
 
-  /// Lists, for `grains` centers [m] in a row of triples, the facets within radius + 1.5 `margin`
-  /// [m]. The list holds while no grain moves further than the margin and no node than half of it.
-  /// What is listed is looked at again only where grain and sleeve may have closed the gap between
-  /// them since they were looked at.
+  /// Lists, for `grains` centers [m] in a row of triples, the facets within radius, twice its
+  /// `reach` and half the margin, which is the skin [m]. The list holds while no grain moves
+  /// further than twice its reach and no node than half the margin. What is listed is looked at
+  /// again only where grain and sleeve may have closed the gap between them since they were looked
+  /// at.
   void list(const ShellModel& model, const double* centers, const double* radii, int grains,
-            double margin);
+            const GrainReach& reach);
+  /// Lists the facets of those anew whose reach got wider since.
+  void add_wider(const ShellModel& model, const double* centers, const double* radii, int grains,
+                 const GrainReach& reach);
   /// True once a node has moved more than half the margin since list().
   bool is_stale(const ShellModel& model) const;
   /// Listed grains, in the order of their numbers.
@@ -174,6 +179,9 @@ class SleeveContacts {
     forget(count);
   }
 
+  Near find_facets(const ShellModel& model, const Vec3& center, double radius, double reach);
+  static Hold not_looked_at(const Vec3& center);
+  void make_room();
   void look_at(const ShellModel& model, int n, const Vec3& center, double radius);
   void take_gaps(const Look& look);
   std::optional<GrainBehind> find_contacts();

@@ -47,10 +47,12 @@ Pairs pairs_near(const Spheres& spheres, double factor, double margin)
 
 Pairs pairs_found(GrainGrid& grid, const Spheres& spheres, double factor, double margin)
 {
-  grid.sort(spheres.centers.data(), spheres.radii.data(), spheres.size(), factor, margin);
+  std::vector<double> wide;
+  for (const double radius : spheres.radii) wide.push_back(factor * radius + 0.5 * margin);
+  grid.sort(spheres.centers.data(), wide.data(), spheres.size());
   Pairs pairs;
   for (int i = 0; i < spheres.size(); ++i)
-    grid.near(as_vec3(&spheres.centers[3 * i]), spheres.radii[i], i + 1, [&](int j) {
+    grid.near(as_vec3(&spheres.centers[3 * i]), wide[i], i + 1, [&](int j) {
       EXPECT_TRUE(pairs.emplace(i, j).second) << "pair " << i << " " << j << " twice";
     });
   return pairs;
@@ -93,7 +95,7 @@ TEST(GrainGrid, EndsWithAPositionThatIsNoNumber)
   Spheres spheres = random_spheres(50, 5);
   spheres.centers[3] = std::numeric_limits<double>::quiet_NaN();
   GrainGrid grid;
-  grid.sort(spheres.centers.data(), spheres.radii.data(), spheres.size(), 1.0, 1e-3);
+  grid.sort(spheres.centers.data(), spheres.radii.data(), spheres.size());
   spheres.centers[3] = std::numeric_limits<double>::infinity();
-  grid.sort(spheres.centers.data(), spheres.radii.data(), spheres.size(), 1.0, 1e-3);
+  grid.sort(spheres.centers.data(), spheres.radii.data(), spheres.size());
 }

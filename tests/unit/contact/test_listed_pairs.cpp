@@ -84,3 +84,24 @@ TEST(ListedPairs, LeaveMemoriesWhereTheyAre)
   for (int n = count - 1; n >= 0; --n) before.push_back(pairs.memory(n));
   for (int n = 0; n < count; ++n) EXPECT_EQ(pairs.memory(n), before[count - 1 - n]);
 }
+
+TEST(ListedPairs, TakeInMoreThatAreNotThereYetInTheRowsOfTheirFirstGrains)
+{
+  ListedPairs pairs;
+  pairs.start(2, 1);
+  for (const auto& [i, j] : {std::pair(0, 1), {0, 4}, {2, 3}, {2, 9}}) pairs.add(i, j);
+  pairs.end();
+  touch(pairs, 1, 7.0, 1.0);
+  touch(pairs, 3, 8.0, 1.0);
+  pairs.set_step(1.0);
+  pairs.insert({{2, 5}, {3, 4}, {0, 4}, {1, 6}, {0, 3}, {1, 6}, {2, 9}});
+  const std::vector<int> first(pairs.first(), pairs.first() + pairs.size());
+  const std::vector<int> second(pairs.second(), pairs.second() + pairs.size());
+  EXPECT_EQ(first, (std::vector<int>{0, 0, 0, 1, 2, 2, 2, 3}));
+  EXPECT_EQ(second, (std::vector<int>{1, 4, 3, 6, 3, 9, 5, 4}));
+  for (int n = 0; n < pairs.size(); ++n)
+    EXPECT_EQ(pairs.memory_of_touching(n) != nullptr, n == 1 || n == 5) << n;
+  EXPECT_EQ(pairs.memory_of_touching(1)[0], 7.0);
+  EXPECT_EQ(pairs.memory_of_touching(5)[0], 8.0);
+  EXPECT_EQ(pairs.memory(4)[0], 0.0);
+}

@@ -72,7 +72,7 @@ class Stepper {
   {
     const SleeveStep now{step_, 1.0};
     sleeve_.start_loads(now, HeightWindow(), at_set_up);
-    sleeve_.list_grains(grain_.data(), &grain_radius_, grain_ == Vec3::Zero() ? 0 : 1, 0.001,
+    sleeve_.list_grains(grain_.data(), &grain_radius_, grain_ == Vec3::Zero() ? 0 : 1, 0.001, true,
                         Alone());
     push_ = 0.0;
     behind_ = sleeve_.press_grains(

@@ -58,7 +58,69 @@ void expect_the_same_loops(const std::string& words, const std::string& loop, in
   expect_the_same(growing_grains(rolling, style + loop + end),
                   growing_grains(rolling, style + " loop host" + end), ranks);
 }
+
+double number_after(const Outcome& outcome, const std::string& words)
+{
+  const std::size_t place = outcome.output.rfind(words);
+  return place == std::string::npos ? 0.0 : std::stod(outcome.output.substr(place + words.size()));
+}
+
+/// Loose grains of which some fly into others, which get fast only then, and against a platen.
+/// Without damping, which turns with the sign of a velocity: lists in another order add up to other
+/// last digits.
+std::string flying_grains(const std::string& with)
+{
+  return opening_deck("empty_cylinder") +
+         "print \"diameter_low [m],diameter_high [m],mass_percent [%]\" file gravel.csv\n"
+         "print \"0.004,0.008,40\" append gravel.csv\n"
+         "print \"0.008,0.016,60\" append gravel.csv\n"
+         "create_packing gradation gravel.csv cylinder 0.05 0 0.1 porosity 0.6 density 1738 type "
+         "1 "
+         "seed 1\n"
+         "fix grow all grow/radius from 0.5 stages 20 relax 10\n"
+         "fix low all servo/platen position bottom z 0 area 1 type 2\n"
+         "fix move all motion damping 0 step 1.0 every 10\n" +
+         with +
+         "thermo 100000\n"
+         "run 200\n"
+         "unfix grow\n"
+         "group fast id 1:10000:40\n"
+         "velocity all set 1e-7 0 0 units box\n"
+         "velocity fast set 0 0 -2e-5 units box\n"
+         "run 200\n" +
+         print_numbers("f_move[5] f_move[6] f_low[1] z[1] vz[7] vx[100]");
+}
+
+// A wall of the host's, out of reach: with it the host decides when lists are made.
+const std::string host_wall =
+    "fix far all wall/gran model linear tangential history primitive type 2 zplane -1.0\n";
+
+void expect_the_same_flights(int ranks)
+{
+  const TemporaryFolder folder;
+  const Outcome ours = run_deck(flying_grains(""), ranks, folder.path());
+  const Outcome hosts = run_deck(flying_grains(host_wall), ranks, folder.path());
+  ASSERT_EQ(ours.exit_code, 0) << ours.output;
+  ASSERT_EQ(hosts.exit_code, 0) << hosts.output;
+  EXPECT_GT(ours.value("f_move[6]"), 20.0);
+  for (const char* name : {"f_move[5]", "f_move[6]", "f_low[1]", "z[1]", "vz[7]", "vx[100]"})
+    EXPECT_NEAR(ours.value(name), hosts.value(name), 1e-9 * std::abs(hosts.value(name))) << name;
+  const std::string builds = "Neighbor list builds = ";
+  EXPECT_LT(2.0 * number_after(ours, builds), number_after(hosts, builds));
+  EXPECT_GT(number_after(ours, builds), 2.0);
+}
+
 }  // namespace
+
+TEST(PairList, HoldsLongerAndGivesTheSameForcesWhereEachGrainHasItsOwnReach)
+{
+  expect_the_same_flights(1);
+}
+
+TEST(PairList, HoldsLongerAndGivesTheSameForcesOnTwoRanks)
+{
+  expect_the_same_flights(2);
+}
 
 TEST(PairList, GivesTheForcesOfTheHostsList)
 {
