@@ -47,7 +47,7 @@ void GrainGrid::sort(const double* centers, const double* radii, int count)
   std::vector<Spheres> classes(most_levels, {{}, centers, radii});
   for (int i = 0; i < count; ++i) classes[level_of(i)].numbers.push_back(i);
   std::size_t used = 0;
-  for (const Spheres& spheres : classes) {
+  for (Spheres& spheres : classes) {
     if (spheres.size() == 0) continue;
     if (used == levels_.size()) levels_.emplace_back();
     Level& level = levels_[used++];
@@ -56,6 +56,7 @@ void GrainGrid::sort(const double* centers, const double* radii, int count)
     level.lay_grid(spheres, 2.0 * level.largest);
     level.grid.sort(
         spheres, [](const Sphere& sphere) -> auto& { return sphere.center; });
+    spheres.numbers = {};
   }
   levels_.resize(used);
 }

@@ -8,6 +8,7 @@
 #include "pair_gran.h"
 #include "timer.h"
 
+#include <malloc.h>
 #include <algorithm>
 #include <string>
 
@@ -30,7 +31,7 @@ void PairList::take_over(LAMMPS_NS::PairGran* pair)
   // The host drops its lists, and with them the springs of the last run, where this run asks for
   // others.
   if (pair->computeflag()) pair->get_fix_history()->pre_exchange();
-  built_ = {-1, -1};
+  built_ = none;
   taken_over_ = !host_list_is_needed(lmp_);
   if (!taken_over_) return;
   for (int n = 0; n < neighbor->nrequest; ++n)
@@ -46,6 +47,13 @@ bool PairList::host_list_is_needed(LAMMPS_NS::LAMMPS* lmp)
   for (int n = 0; n < lmp->modify->nfix; ++n)
     if (std::string(lmp->modify->fix[n]->style) == "neighlist/mesh") return true;
   return false;
+}
+
+void PairList::give_back_memory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 void PairList::build(LAMMPS_NS::NeighList& list, ListedPairs& pairs, const GrainReach& reach)

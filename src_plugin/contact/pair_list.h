@@ -38,21 +38,28 @@ class PairList {
       if (reach.is_wider_here()) add_wider(list, history, reach);
       return;
     }
+    const bool in_set_up = built_ == none;
     history.pairs.start(history.get_dnum(), place);
+    if (in_set_up) give_back_memory();
     if (taken_over_)
       build(list, history.pairs, reach);
     else
       read(list, history.pairs);
     history.pairs.end();
     history.take();
+    if (in_set_up) give_back_memory();
     built_ = built();
   }
 
  private:
   using Build = std::pair<LAMMPS_NS::bigint, LAMMPS_NS::bigint>;
+  static constexpr Build none{-1, -1};
 
   /// Number and step of the host's last build.
   Build built() const { return {lmp_->neighbor->ncalls, lmp_->neighbor->lastcall}; }
+  /// What was freed, to the machine: in set-ups, where most memory is in use. It is too slow for
+  /// the lists between.
+  static void give_back_memory();
   void build(LAMMPS_NS::NeighList& list, ListedPairs& pairs, const GrainReach& reach);
   void add_wider(LAMMPS_NS::NeighList& list, PairHistory& history, const GrainReach& reach);
   void give_rows(LAMMPS_NS::NeighList& list, ListedPairs& pairs);
@@ -60,7 +67,7 @@ class PairList {
 
   LAMMPS_NS::LAMMPS* lmp_;
   bool taken_over_ = false;
-  Build built_{-1, -1};
+  Build built_ = none;
 };
 
 }  // namespace encased_column

@@ -26,18 +26,18 @@ class CellGrid {
   void sort(const Items& items, const Point& point)
   {
     begin_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 2, 0);
-    cell_.resize(items.size());
+    std::vector<int> cell(items.size());
     // Counted two places on, begin[c + 1] runs from the first to the end of cube c while it is
     // filled.
     for (std::size_t n = 0; n < items.size(); ++n) {
       const Item& item = items[n];
       const auto& x = point(item);
-      cell_[n] = (cell_of(x[2], 2) * cells_[1] + cell_of(x[1], 1)) * cells_[0] + cell_of(x[0], 0);
-      ++begin_[cell_[n] + 2];
+      cell[n] = (cell_of(x[2], 2) * cells_[1] + cell_of(x[1], 1)) * cells_[0] + cell_of(x[0], 0);
+      ++begin_[cell[n] + 2];
     }
     for (std::size_t c = 2; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
     sorted_.resize(items.size());
-    for (std::size_t n = 0; n < items.size(); ++n) sorted_[begin_[cell_[n] + 1]++] = items[n];
+    for (std::size_t n = 0; n < items.size(); ++n) sorted_[begin_[cell[n] + 1]++] = items[n];
   }
 
   /// Calls `found(item)` for all items of the cubes within `range` [m] of `x` along each axis.
@@ -77,7 +77,6 @@ class CellGrid {
   double size_ = 1.0;  ///< edge of a cube [m]
   int cells_[3] = {1, 1, 1};
   std::vector<int> begin_{0, 0};  ///< of each cube's items
-  std::vector<int> cell_;         ///< of each item, kept for its memory
   std::vector<Item> sorted_;
 };
 
