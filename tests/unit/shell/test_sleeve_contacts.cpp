@@ -432,3 +432,42 @@ TEST(SleeveContacts, StiffnessOfAContactIsSharedOutOnItsNodes)
   }
   EXPECT_NEAR(sum, 2000.0, 1e-9);
 }
+
+// Grains that no list knows of may come into the sleeve's reach, or be in it and go on. The oracle
+// is a new list.
+TEST(SleeveContacts, AddsFacetsOfGrainsWhoseReachGotWider)
+{
+  constexpr double skin = 0.001;
+  ShellModel model = crumpled_tube(0.002);
+  const std::vector<Vec3> start{Vec3(0.0410, 0.0, 0.030), Vec3(-0.0360, 0.0, 0.030),
+                                Vec3(0.0, 0.0, 0.030), Vec3(0.0, -0.0405, 0.025)};
+  const std::vector<Vec3> end{start[0], Vec3(-0.0409, 0.0, 0.031), Vec3(0.0, 0.0407, 0.028),
+                              start[3]};
+  const std::vector<double> still(12, 0.0), radii(4, radius);
+  std::vector<Vec3> center = start;
+  ReachAccount account;
+  account.start({center.front().data(), still.data(), radii.data(), 4, 4},
+                ReachRule{0.5 * skin, 0.2});
+  const GrainReach reach(skin, &account);
+  const auto touching = [&](SleeveContacts& contacts) {
+    std::vector<std::pair<int, double>> found;
+    contacts.resolve(model, true, SomeGrains{center.front().data(), radii}, nullptr,
+                     [&](const SleeveContact& contact) {
+                       found.emplace_back(contact.grain, contact.merged.overlap);
+                       return no_reaction(contact);
+                     });
+    return found;
+  };
+  SleeveContacts contacts;
+  contacts.list(model, center.front().data(), radii.data(), 4, reach);
+  EXPECT_EQ(touching(contacts).size(), 2u);
+  center = end;
+  for (const int i : {1, 2}) account.set_reach(i, 1.1 * (end[i] - start[i]).norm());
+  contacts.add_wider(model, center.front().data(), radii.data(), 4, reach);
+  SleeveContacts anew;
+  anew.list(model, center.front().data(), radii.data(), 4, skin);
+  const auto expected = touching(anew);
+  ASSERT_EQ(expected.size(), 4u);
+  EXPECT_EQ(touching(contacts), expected);
+  EXPECT_EQ(contacts.grains(), (std::vector<int>{0, 1, 2, 3}));
+}
