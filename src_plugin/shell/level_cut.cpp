@@ -27,15 +27,24 @@ bool InsideTest::is_inside(const Vec3& point) const
   return (has_core_[band] && bands_.is_in_free_middle(point, band)) || is_inside(point, band);
 }
 
+/// True where no piece of the facet crosses the plane at `y` [m]: most facets of a band.
+bool InsideTest::is_beside(const Facet& f, double y) const
+{
+  const bool above = position_[f[0]].y() > y;
+  return above == (position_[f[1]].y() > y) && above == (position_[f[2]].y() > y);
+}
+
 bool InsideTest::is_inside(const Vec3& point, int band) const
 {
   bool inside = false;
-  for (const int n : bands_.facets(band))
+  for (const int n : bands_.facets(band)) {
+    if (is_beside(facet_[n], point.y())) continue;
     cut_facet(facet_[n], position_, point.z(), [&](const Vec3& a, const Vec3& b) {
       if ((a.y() > point.y()) == (b.y() > point.y())) return;
       const double x = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
       if (x > point.x()) inside = !inside;
     });
+  }
   return inside;
 }
 

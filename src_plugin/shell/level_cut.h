@@ -52,6 +52,7 @@ class InsideTest {
   bool is_inside(const Vec3& point) const;
 
  private:
+  bool is_beside(const Facet& f, double y) const;
   bool is_inside(const Vec3& point, int band) const;
 
   const std::vector<Facet>& facet_;
