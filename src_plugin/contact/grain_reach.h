@@ -4,6 +4,7 @@
 #include "core/vec3.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace encased_column {
@@ -14,6 +15,8 @@ struct ReachRule {
   double range = 0.0;    ///< no two grains farther apart are found [m]
   double factor = 1.0;   ///< on their radii in that [-]
   double horizon = 0.0;  ///< a grain stays inside for so long at its speed [s]
+  /// Width of the thinnest rank [m]: only the next ones take grains over when lists are made.
+  double thinnest = std::numeric_limits<double>::infinity();
 
   /// Of a grain of `radius` [m] at `velocity` [m/s] when lists are made.
   double reach(double radius, const Vec3& velocity) const
@@ -26,7 +29,10 @@ struct ReachRule {
   {
     return std::min(2.0 * gone + horizon * velocity.norm(), most(radius));
   }
-  double most(double radius) const { return 0.5 * range - factor * radius; }  ///< [m]
+  double most(double radius) const  ///< [m]
+  {
+    return std::min(0.5 * range - factor * radius, thinnest);
+  }
 };
 
 /// The horizon [s] of grains that move at `mean_speed` [m/s]: those at that speed keep the `least`

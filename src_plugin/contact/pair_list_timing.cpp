@@ -10,6 +10,9 @@
 #include "neigh_request.h"
 #include "output.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace encased_column {
 
 // Output::restart_requested() takes in what a signal asks for, on one rank perhaps.
@@ -69,6 +72,16 @@ bool is_forced(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion)
   return false;
 }
 
+/// Along the axes that are cut [m].
+double width_of_rank(LAMMPS_NS::LAMMPS* lmp)
+{
+  double width = std::numeric_limits<double>::infinity();
+  for (int a = 0; a < 3; ++a)
+    if (lmp->comm->procgrid[a] > 1)
+      width = std::min(width, lmp->domain->subhi[a] - lmp->domain->sublo[a]);
+  return width;
+}
+
 ListedGrains grains_of(LAMMPS_NS::Atom* atom)
 {
   const int all = atom->nlocal + atom->nghost;
@@ -102,6 +115,7 @@ void PairListTiming::start(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion,
   if (!at_set_up && !is_forced(lmp, motion))
     rule.horizon = reach_horizon(rule.least, sum_over_ranks(sum_of_speeds(grains), lmp->world) /
                                                  static_cast<double>(lmp->atom->natoms));
+  rule.thinnest = min_over_ranks(width_of_rank(lmp), lmp->world);
   account_.start(grains, rule);
 }
 

@@ -7,8 +7,7 @@
 namespace encased_column {
 
 /// Decides when lists are made: the host, by its own check of half a skin in every step, or we for
-/// the time of a run, with a reach for each
-/// grain.
+/// the time of a run, with a reach for each grain.
 class PairListTiming {
  public:
   /// Before a run, when the host has made its lists. `motion` moves the grains.

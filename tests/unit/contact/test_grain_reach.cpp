@@ -108,6 +108,17 @@ TEST(ReachRule, ListsNoPairFartherApartThanTheHostsGhosts)
   EXPECT_EQ(rule.reach(largest, Vec3(1e-3, 0.0, 0.0)), 0.5 * skin);
 }
 
+// Lists hand grains over to the next rank alone.
+TEST(ReachRule, LetsNoGrainGoFartherThanTheThinnestRankIsWide)
+{
+  ReachRule thin = rule;
+  thin.thinnest = 0.8e-3;
+  const Vec3 fast(1.0, 0.0, 0.0);
+  EXPECT_GT(rule.reach(1e-3, fast), thin.thinnest);
+  EXPECT_EQ(thin.reach(1e-3, fast), thin.thinnest);
+  EXPECT_EQ(thin.wider_reach(1e-3, fast, skin), thin.thinnest);
+}
+
 // The oracle looks at all pairs and all grains in every step.
 TEST(ReachAccount, FindsAllThatTouchAndEveryGrainThatLeaves)
 {
