@@ -56,7 +56,7 @@ void GrainGrid::sort(const double* centers, const double* radii, int count)
     level.lay_grid(spheres, 2.0 * level.largest);
     level.grid.sort(
         spheres, [](const Sphere& sphere) -> auto& { return sphere.center; });
-    spheres.numbers = {};
+    spheres.numbers = std::vector<int>();
   }
   levels_.resize(used);
 }

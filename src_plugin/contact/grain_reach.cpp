@@ -18,11 +18,11 @@ double sum_of_speeds(const ListedGrains& grains)
 void ReachAccount::start(const ListedGrains& grains, const ReachRule& rule)
 {
   rule_ = rule;
-  reach_.resize(grains.all);
-  for (int i = 0; i < grains.all; ++i)
-    reach_[i] = rule.reach(grains.radius[i], as_vec3(grains.velocity + 3 * i));
-  wider_.clear();
-  is_wider_ = false;
+  reach_.assign(grains.all, rule.least);
+  for (int i = 0; i < grains.owned; ++i)
+    reach_[i] = rule.known_beyond(rule.reach(grains.radius[i], as_vec3(grains.velocity + 3 * i)),
+                                  grains.radius[i], as_vec3(grains.center + 3 * i));
+  forget_wider();
   left_ = 0;
   round_off_ = 1e-9 * rule.least;
   spare_ = rule.least;
@@ -35,8 +35,9 @@ ReachAccount::Answer ReachAccount::look(const ListedGrains& grains, const double
   for (int i = 0; i < grains.owned; ++i) {
     const double gone = (as_vec3(grains.center + 3 * i) - as_vec3(listed + 3 * i)).norm();
     if (!(gone > reach_[i])) continue;
-    const double wider =
-        rule_.wider_reach(grains.radius[i], as_vec3(grains.velocity + 3 * i), gone);
+    const double wider = rule_.known_beyond(
+        rule_.wider_reach(grains.radius[i], as_vec3(grains.velocity + 3 * i), gone),
+        grains.radius[i], as_vec3(listed + 3 * i));
     if (++left_ > most_wider || !(wider > 1.1 * gone)) return Answer::lists_end;
     set_reach(i, wider);
   }

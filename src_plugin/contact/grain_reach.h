@@ -17,6 +17,10 @@ struct ReachRule {
   double horizon = 0.0;  ///< a grain stays inside for so long at its speed [s]
   /// Width of the thinnest rank [m]: only the next ones take grains over when lists are made.
   double thinnest = std::numeric_limits<double>::infinity();
+  /// Corners [m] of the rank; infinite where neither another rank nor an image lies beyond.
+  Vec3 low = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(std::numeric_limits<double>::infinity());
+  double beyond = 0.0;  ///< ghosts come from so much farther than lists with `least` ask for [m]
 
   /// Of a grain of `radius` [m] at `velocity` [m/s] when lists are made.
   double reach(double radius, const Vec3& velocity) const
@@ -32,6 +36,15 @@ struct ReachRule {
   double most(double radius) const  ///< [m]
   {
     return std::min(0.5 * range - factor * radius, thinnest);
+  }
+  /// What of a `reach` [m] is left to a grain that is listed at `center` [m]. The host brings as
+  /// ghosts those that are within the largest radius, the skin and their own radius of the border,
+  /// not within `range` of the grains behind it. One that goes farther than half the skin must be
+  /// a ghost there already, or not get near what lies behind.
+  double known_beyond(double reach, double radius, const Vec3& center) const
+  {
+    const double inside = std::min((center - low).minCoeff(), (high - center).minCoeff());
+    return std::min(reach, std::max(least + beyond, inside - 0.5 * range - factor * radius));
   }
 };
 
@@ -65,19 +78,23 @@ class ReachAccount {
 
   static constexpr int most_wider = 16;  ///< grains of a rank, in the time of one list
 
-  /// Lists are made now. Afterwards reach() is that of all grains, ghosts too.
+  /// Lists are made now. Ghosts have the least reach until set_reach() and forget_wider().
   void start(const ListedGrains& grains, const ReachRule& rule);
   /// A step in which none went further than `way` [m]: true where one may have left its reach.
   bool begin_step(double way)
   {
-    wider_.clear();
-    is_wider_ = false;
+    forget_wider();
     spare_ -= way + round_off_;
     return !(spare_ > 0.0);
   }
   /// What is to be done about those that have left theirs around where the lists found them,
   /// `listed` [m].
   Answer look(const ListedGrains& grains, const double* listed);
+  void forget_wider()
+  {
+    wider_.clear();
+    is_wider_ = false;
+  }
   /// Some rank has widened reaches in this step.
   void set_wider() { is_wider_ = true; }
   bool is_wider() const { return is_wider_; }

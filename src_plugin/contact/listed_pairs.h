@@ -21,8 +21,8 @@ class ListedPairs {
   {
     first_.clear();
     second_.clear();
-    rows_ = {};  // leaves its memory to what finds the pairs
-    memories_ = {};
+    rows_ = std::vector<int>();  // leaves its memory to what finds the pairs: `= {}` would not
+    memories_ = std::vector<double>();
     numbers_ = numbers;
     place_ = place;
   }

@@ -9,8 +9,8 @@ void PairHistory::take()
 {
   in_charge_ = true;
   lent_ = false;
-  flags_ = {};
-  lent_memories_ = {};
+  flags_ = std::vector<int>();
+  lent_memories_ = std::vector<double>();
   listed_ = atom->nlocal;
   for (int n = 0; n < pairs.size(); ++n) {
     const int i = pairs.first()[n], other = atom->tag[pairs.second()[n]];

@@ -51,12 +51,12 @@ bool host_decides(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion)
                               POST_INTEGRATE | PRE_NEIGHBOR | PRE_FORCE | PRE_FINAL_INTEGRATE |
                               FINAL_INTEGRATE;
   LAMMPS_NS::Neighbor& neighbor = *lmp->neighbor;
-  for (int n = 0; n < neighbor.nrequest; ++n)
-    if (!neighbor.requests[n]->pair) return true;
+  for (int n = 0; n < neighbor.old_nrequest; ++n)  // those of this run, once lists are there
+    if (!neighbor.old_requests[n]->pair) return true;
   return motion->igroup != 0 || !neighbor.dist_check || neighbor.build_once ||
-         neighbor.exclude_setting() || lmp->domain->box_change || !lmp->comm->ghost_velocity ||
-         GhostsByType::are_brought_by(lmp->comm) || PairList::host_list_is_needed(lmp) ||
-         others_act(lmp, motion, within_step) ||
+         neighbor.exclude_setting() || lmp->domain->box_change || lmp->domain->triclinic ||
+         !lmp->comm->ghost_velocity || GhostsByType::are_brought_by(lmp->comm) ||
+         PairList::host_list_is_needed(lmp) || others_act(lmp, motion, within_step) ||
          fixes_that_are<PairListTimingOwner>(lmp).size() != 1;
 }
 
@@ -82,6 +82,19 @@ double width_of_rank(LAMMPS_NS::LAMMPS* lmp)
   return width;
 }
 
+/// Sets the borders behind which other ranks or images of this one are.
+void set_borders(LAMMPS_NS::LAMMPS* lmp, ReachRule& rule)
+{
+  const LAMMPS_NS::Domain& domain = *lmp->domain;
+  const LAMMPS_NS::Comm& comm = *lmp->comm;
+  for (int a = 0; a < 3; ++a) {
+    const bool periodic = domain.periodicity[a] != 0;
+    if (periodic || comm.myloc[a] > 0) rule.low(a) = domain.sublo[a];
+    if (periodic || comm.myloc[a] + 1 < comm.procgrid[a]) rule.high(a) = domain.subhi[a];
+  }
+  rule.beyond = std::max(0.5 * (comm.cutghost[0] - rule.range), 0.0);
+}
+
 ListedGrains grains_of(LAMMPS_NS::Atom* atom)
 {
   const int all = atom->nlocal + atom->nghost;
@@ -89,7 +102,17 @@ ListedGrains grains_of(LAMMPS_NS::Atom* atom)
   return {atom->x[0], atom->v[0], atom->radius, atom->nlocal, all};
 }
 
+/// So many skins farther than the host's own lists need them: as much wider are the reaches of
+/// grains near a border. All that wide reaches could use would double the ghosts.
+constexpr double ghosts_beyond = 4.0;
+
 }  // namespace
+
+double PairListTiming::ghost_cutoff(LAMMPS_NS::LAMMPS* lmp)
+{
+  const LAMMPS_NS::Neighbor& neighbor = *lmp->neighbor;
+  return neighbor.cutneighmax - neighbor.skin + 2.0 * ghosts_beyond * neighbor.skin;
+}
 
 void PairListTiming::take_over(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* motion)
 {
@@ -106,7 +129,7 @@ void PairListTiming::give_back(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* motion)
   motion->next_reneighbor = lmp->update->ntimestep + 1;
 }
 
-void PairListTiming::start(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, bool at_set_up)
+void PairListTiming::start(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* motion, bool at_set_up)
 {
   if (!ours_) return;
   const LAMMPS_NS::Neighbor& neighbor = *lmp->neighbor;
@@ -116,7 +139,10 @@ void PairListTiming::start(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion,
     rule.horizon = reach_horizon(rule.least, sum_over_ranks(sum_of_speeds(grains), lmp->world) /
                                                  static_cast<double>(lmp->atom->natoms));
   rule.thinnest = min_over_ranks(width_of_rank(lmp), lmp->world);
+  set_borders(lmp, rule);
   account_.start(grains, rule);
+  lmp->comm->forward_comm_fix(motion);
+  account_.forget_wider();
 }
 
 void PairListTiming::ask(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* motion, double way)

@@ -16,10 +16,13 @@ class PairListTiming {
   void give_back(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* motion);
   /// The host has made its lists. Those of a set-up, and of a step that a restart file may be
   /// written of, look the same in a run that goes on from the file: speeds do not, half a step on.
-  void start(LAMMPS_NS::LAMMPS* lmp, const LAMMPS_NS::Fix* motion, bool at_set_up);
+  void start(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* motion, bool at_set_up);
   /// A step in which no grain went further than `way` [m]: asks the host for lists where its
   /// grains have left their reaches, or widens some.
   void ask(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* motion, double way);
+
+  /// How far [m] ghosts are to come, but for the skin that the host adds.
+  static double ghost_cutoff(LAMMPS_NS::LAMMPS* lmp);
 
   /// Null where the host decides.
   const ReachAccount* account() const { return ours_ ? &account_ : nullptr; }

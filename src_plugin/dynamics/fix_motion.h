@@ -39,6 +39,7 @@ class FixMotion : public MassScalingOwner,
   void pre_force(int) override;
   void final_integrate() override;
   void post_run() override;
+  double extend_cut_ghost() override { return PairListTiming::ghost_cutoff(lmp); }
   int pack_comm(int n, int* grains, double* buffer, int, int*) override
   {
     return list_timing.pack(n, grains, buffer);

@@ -35,7 +35,7 @@ void MassScaling::begin_step(const MovingGrains& grains, bool way_was_gone)
   grains_ = grains;
   way_was_gone_ = way_was_gone;
   // Steps that find no masses are most of all, and leave the memory to others.
-  if (way_was_gone) stiffness_ = {};
+  if (way_was_gone) stiffness_ = std::vector<GrainStiffness>();
 }
 
 void MassScaling::admit_new_grains()
@@ -47,7 +47,7 @@ void MassScaling::admit_new_grains()
 // Before the first contact there may still be a list of pairs to make, which needs memory too.
 void MassScaling::clear_contacts()
 {
-  stiffness_ = {};
+  stiffness_ = std::vector<GrainStiffness>();
 }
 
 void MassScaling::add_contact(int i, int j, const Vec3& normal, double normal_stiffness,

@@ -68,7 +68,7 @@ class GrainLoads {
   {
     sums_ = {};
     grains_ = grains;
-    load_ = {};
+    load_ = std::vector<double>();
   }
   /// A contact force of a `size` [N] between grain i and grain j, or a wall or a grain of another
   /// rank where `j` is none of the grains; `share` as the rank counts the contact.

@@ -108,6 +108,38 @@ TEST(ReachRule, ListsNoPairFartherApartThanTheHostsGhosts)
   EXPECT_EQ(rule.reach(largest, Vec3(1e-3, 0.0, 0.0)), 0.5 * skin);
 }
 
+// What Comm::setup() and Comm::decide() of the host take as a ghost: a grain within half the
+// cutoff, half the skin and its own radius of the border. One rank lies at x < 0, the other behind
+// it.
+TEST(ReachRule, LetsNoGrainTouchOneOfARankThatDoesNotKnowIt)
+{
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  for (const double beyond : {0.0, 2e-3}) {
+    ReachRule here = rule;
+    here.high.x() = 0.0;
+    here.beyond = beyond;
+    ReachRule there = rule;
+    there.low.x() = 0.0;
+    there.beyond = beyond;
+    const double cutoff = rule.range + 2.0 * beyond;
+    int wide = 0, touch = 0;
+    for (int n = 0; n < 100000; ++n) {
+      const double a = 0.5e-3 * std::pow(15.0, part(random)), b = n % 3 ? largest : a;
+      const Vec3 one(-0.04 * part(random), 0.0, 0.0), other(0.02 * part(random), 0.0, 0.0);
+      const double reach_of_one = here.known_beyond(rule.most(a), a, one),
+                   reach_of_other = there.known_beyond(rule.most(b), b, other);
+      EXPECT_GE(reach_of_one, std::min(rule.least, rule.most(a)));
+      wide += reach_of_one > rule.least;
+      if ((other - one).norm() > a + b + reach_of_one + reach_of_other) continue;
+      ++touch;
+      ASSERT_LE(-one.x(), 0.5 * cutoff + 0.5 * skin + a + 1e-12);
+    }
+    EXPECT_GT(wide, 1000);
+    EXPECT_GT(touch, 1000);
+  }
+}
+
 // Lists hand grains over to the next rank alone.
 TEST(ReachRule, LetsNoGrainGoFartherThanTheThinnestRankIsWide)
 {
@@ -194,7 +226,9 @@ TEST(ReachAccount, TakesWhatAnotherRankSaysOfAGhost)
   const double center[] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0}, still[6] = {}, radius[] = {1e-3, 1e-3};
   ReachAccount account;
   account.start({center, still, radius, 1, 2}, rule);
-  account.set_reach(1, 0.5 * skin);
+  account.set_reach(1, 1e-3);  // as its rank listed it
+  account.forget_wider();
+  account.set_reach(1, 1e-3);
   EXPECT_TRUE(account.wider().empty());
   account.set_reach(1, 3e-3);
   EXPECT_EQ(account.wider(), std::vector<int>{1});

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <malloc.h>
+
 #include <vector>
 
 using namespace encased_column;
@@ -105,3 +107,15 @@ TEST(ListedPairs, TakeInMoreThatAreNotThereYetInTheRowsOfTheirFirstGrains)
   EXPECT_EQ(pairs.memory_of_touching(5)[0], 8.0);
   EXPECT_EQ(pairs.memory(4)[0], 0.0);
 }
+
+#ifdef __GLIBC__
+// Blocks of that size are mapped one by one: the C library tells how many bytes are.
+TEST(ListedPairs, LeaveTheMemoryOfTheirMemoriesWhileANewListIsMade)
+{
+  constexpr int count = 10000000;
+  ListedPairs pairs = list_of(count);
+  const std::size_t with_list = mallinfo2().hblkhd;
+  pairs.start(2, 1);
+  EXPECT_LE(mallinfo2().hblkhd + count * (sizeof(int) + 2 * sizeof(double)), with_list);
+}
+#endif

@@ -110,7 +110,56 @@ void expect_the_same_flights(int ranks)
   EXPECT_GT(number_after(ours, builds), 2.0);
 }
 
+/// A small grain flies into a large one at rest that lies 1 mm behind a border, from so far that it
+/// is no ghost there when lists are made. `lines` go before the motion.
+Outcome hit_across_border(const std::string& x_boundary, double border, double other_side,
+                          int ranks, const std::string& lines = "")
+{
+  const auto at = [](double x) { return digits(x) + " 0 0 units box\n"; };
+  return run_deck(
+      "units si\natom_style granular\natom_modify map array\nnewton off\nboundary " + x_boundary +
+          " f f\ncommunicate single vel yes\nprocessors * 1 1\n"
+          "region box block -0.05 0.05 -0.05 0.05 -0.05 0.05 units box\ncreate_box 2 box\n"
+          "neighbor 0.0002 bin\nneigh_modify every 1 delay 0 check yes\n"
+          "fix modulus all property/global contactModulus peratomtypepair 2 7e6 7e6 7e6 7e6\n"
+          "fix kappa all property/global stiffnessRatio peratomtypepair 2 1 1 1 1\n"
+          "fix friction all property/global coefficientFriction peratomtypepair 2 0 0 0 0\n"
+          "pair_style gran model linear tangential history\npair_coeff * *\n"
+          "create_atoms 1 single " +
+          at(border + 0.001) + "create_atoms 1 single " + at(other_side - 0.0115) +
+          "set atom 1 diameter 0.02 density 2500\nset atom 2 diameter 0.002 density 2500\n"
+          "group small id 2\nvelocity small set 0.1 0 0 units box\n" +
+          lines + "fix move all motion damping 0 every 10\nthermo 100000\nrun 3000\n" +
+          print_numbers("vx[1] vx[2]"),
+      ranks);
+}
+
+/// What the small grain loses the large one gets, whose mass is 1 000 times its.
+void expect_push_and_answer(const Outcome& outcome)
+{
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_LT(outcome.value("vx[2]"), -0.09);
+  EXPECT_NEAR(1000.0 * outcome.value("vx[1]") + outcome.value("vx[2]"), 0.1, 1e-12);
+}
+
 }  // namespace
+
+TEST(PairList, PushesBothGrainsThatMeetAcrossAPeriodicBorder)
+{
+  expect_push_and_answer(hit_across_border("p", -0.05, 0.05, 1));
+}
+
+TEST(PairList, PushesBothGrainsThatMeetAcrossABorderOfRanks)
+{
+  expect_push_and_answer(hit_across_border("f", 0.0, 0.0, 2));
+}
+
+// Ghosts that come from farther leave wide reaches at a border too.
+TEST(PairList, PushesBothGrainsWhereTheDeckAsksForMoreGhosts)
+{
+  expect_push_and_answer(
+      hit_across_border("f", 0.0, 0.0, 2, "communicate single cutoff 0.03 vel yes\n"));
+}
 
 TEST(PairList, HoldsLongerAndGivesTheSameForcesWhereEachGrainHasItsOwnReach)
 {
@@ -120,6 +169,18 @@ TEST(PairList, HoldsLongerAndGivesTheSameForcesWhereEachGrainHasItsOwnReach)
 TEST(PairList, HoldsLongerAndGivesTheSameForcesOnTwoRanks)
 {
   expect_the_same_flights(2);
+}
+
+// Lists that computes ask for hold for half the skin.
+TEST(PairList, LeavesListsToTheHostWhereAComputeHasOne)
+{
+  const std::string compute = "compute near all coord/atom 0.004\n";
+  const TemporaryFolder folder;
+  const Outcome with = run_deck(flying_grains(compute), 1, folder.path());
+  const Outcome hosts = run_deck(flying_grains(host_wall), 1, folder.path());
+  ASSERT_EQ(with.exit_code, 0) << with.output;
+  const std::string builds = "Neighbor list builds = ";
+  EXPECT_EQ(number_after(with, builds), number_after(hosts, builds));
 }
 
 TEST(PairList, GivesTheForcesOfTheHostsList)
