@@ -108,7 +108,7 @@ TEST(ListedPairs, TakeInMoreThatAreNotThereYetInTheRowsOfTheirFirstGrains)
   EXPECT_EQ(pairs.memory(4)[0], 0.0);
 }
 
-#ifdef __GLIBC__
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)  // which has a heap of its own
 // Blocks of that size are mapped one by one: the C library tells how many bytes are.
 TEST(ListedPairs, LeaveTheMemoryOfTheirMemoriesWhileANewListIsMade)
 {
