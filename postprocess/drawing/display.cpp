@@ -38,13 +38,14 @@ bool display_opens()
 
 /// The command that gives what stands behind it a display. `-a` takes the next free number but does
 /// not reserve it: two that begin to look at the same one may both take it, so each begins
-/// elsewhere.
+/// elsewhere. `-noreset`: a server left by its last client starts anew, and meanwhile turns away
+/// the drawing process that comes next.
 std::vector<std::string> xvfb_run()
 {
   constexpr int first = 100, numbers = 10000;
   return {"xvfb-run", "-a",
           "-n",       std::to_string(first + getpid() % numbers),
-          "-s",       "-screen 0 1280x1024x24 -nolisten tcp"};
+          "-s",       "-screen 0 1280x1024x24 -nolisten tcp -noreset"};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <new>
 #include <string>
@@ -61,6 +62,14 @@ std::string read_all(int pipe_end)
   return text;
 }
 
+/// Of a process that did not end well, by what waitpid() says of it.
+std::string way_of_ending(int status)
+{
+  return WIFSIGNALED(status) ? "broke off by signal " + std::to_string(WTERMSIG(status)) + " (" +
+                                   strsignal(WTERMSIG(status)) + ')'
+                             : "ended with code " + std::to_string(WEXITSTATUS(status));
+}
+
 }  // namespace
 
 int drawing_processes()
@@ -97,17 +106,17 @@ void do_in_processes(const std::vector<std::function<void()>>& tasks, int proces
   }
   const std::string sentences = read_all(problems[0]);
   close(problems[0]);
-  bool ended = true;
+  std::string broken;
   for (const pid_t worker : workers) {
     int status = 0;
     waitpid(worker, &status, 0);
-    ended = ended && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (status != 0) broken = way_of_ending(status);
   }
   if (!sentences.empty()) throw InputError(sentences.substr(0, sentences.find('\n')));
-  if (!ended)
+  if (!broken.empty())
     throw InputError(
-        "pictures take memory and a display that hold out, found a drawing process that broke off, "
-        "write '--no-pictures' for the tables alone");
+        "pictures take memory and a display that hold out, found a drawing process that " + broken +
+        ", write '--no-pictures' for the tables alone");
 }
 
 }  // namespace encased_column

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <fstream>
 
 using namespace encased_column;
@@ -47,8 +48,16 @@ TEST(ParallelTasks, TellTheSentenceOfTheOneThatFails)
   }
 }
 
-TEST(ParallelTasks, DoNotLoseAProcessThatBreaksOff)
+TEST(ParallelTasks, TellHowAProcessBrokeOff)
 {
-  const Tasks tasks{[] { std::_Exit(7); }, [] {}};
-  EXPECT_THROW(do_in_processes(tasks, 2), InputError);
+  const std::pair<Tasks, const char*> cases[] = {
+      {{[] { std::_Exit(7); }, [] {}}, "found a drawing process that ended with code 7,"},
+      {{[] { raise(SIGKILL); }, [] {}},
+       "found a drawing process that broke off by signal 9 (Killed),"}};
+  for (const auto& [tasks, said] : cases) try {
+      do_in_processes(tasks, 2);
+      FAIL() << "no error";
+    } catch (const InputError& problem) {
+      EXPECT_NE(std::string(problem.what()).find(said), std::string::npos) << problem.what();
+    }
 }
