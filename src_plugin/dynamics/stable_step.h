@@ -52,7 +52,7 @@ inline double wall_stiffness(double normal_stiffness, double shear_stiffness, bo
 /// Stable step [s] of a mass [kg] on a stiffness [N/m]: f sqrt(m/k).
 ///
 /// A chain of equal grains has omega^2 <= 2 k / m with k the sum over its contacts, and central
-/// differences are stable up to 2/omega = sqrt(2 m/k): f below 1 leaves a reserve.
+/// differences are stable up to 2/omega = sqrt(2 m/k): f up to 1 leaves a reserve.
 inline double stable_step(double mass, double stiffness, double safety)
 {
   return safety * std::sqrt(mass / stiffness);
