@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// What the contacts of a sleeve cost: finding facets, the law, and the loads of the nodes. By hand,
-// in the tree's folder after a build:
+// What the contacts of a sleeve cost: finding facets, the law, and the loads of the nodes. By hand:
 //
-//   g++ -std=c++17 -O2 -Isrc_plugin -I/usr/include/eigen3 tests/bench/contacts.cpp
-//     build/src_plugin/libencase_kernels.a -o build/bin/bench_contacts   (one line)
 //   build/bin/bench_contacts
 //
 // With -DONE_BY_ONE the law takes one contact after the other; else blocks of them, as in a run.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // What a cloth costs beside an elastic sleeve: loads of the facets of one mesh, in turns, by state.
-// By hand, in the tree's folder after a build:
+// By hand:
 //
-//   g++ -std=c++17 -O2 -Isrc_plugin -I/usr/include/eigen3 tests/bench/facets.cpp
-//     build/src_plugin/libencase_kernels.a -o build/bin/bench_facets   (one line)
 //   build/bin/bench_facets
 #include "shell/cylinder_mesh.h"
 #include "shell/shell_model.h"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // What every rank repeats of a sleeve, whatever part of its facets is its own: motion and clearing
-// of the nodes in each step, and sorting the facets for a new list. By hand, in the tree's folder
-// after a build:
+// of the nodes in each step, and sorting the facets for a new list. By hand:
 //
-//   g++ -std=c++17 -O2 -Isrc_plugin -I/usr/include/eigen3 tests/bench/nodes.cpp
-//     build/src_plugin/libencase_kernels.a -o build/bin/bench_nodes   (one line)
 //   build/bin/bench_nodes
 #include "shell/cylinder_mesh.h"
 #include "shell/sleeve_contacts.h"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // What the contacts of grains cost with rolling resistance and without, in turns: the law's loop
-// over pairs alone, on a packing of packing.lmp. By hand, in the tree's folder after a build:
+// over pairs alone, on a packing of packing.lmp. By hand:
 //
-//   g++ -std=c++17 -O3 -fno-math-errno -fno-trapping-math -Isrc_plugin -I/usr/include/eigen3
-//     tests/bench/pairs.cpp build/src_plugin/libencase_kernels.a -o build/bin/bench_pairs (one
-//     line)
 //   build/bin/bench_pairs packing.data [TURNS] [SPIN]
 //
 // SPIN [rad/s] of the grains decides how many contacts roll at their limit.
@@ -67,11 +64,12 @@ struct Loop {
   {
     const int count = static_cast<int>(grains.radius.size());
     GrainGrid grid;
-    grid.sort(grains.x.data(), grains.radius.data(), count, 1.0, 4e-4);
+    std::vector<double> wide = grains.radius;
+    for (double& radius : wide) radius += 2e-4;
+    grid.sort(grains.x.data(), wide.data(), count);
     pairs.start(numbers, 3);
     for (int i = 0; i < count; ++i)
-      grid.near(as_vec3(&grains.x[3 * i]), grains.radius[i], i + 1,
-                [&](int j) { pairs.add(i, j); });
+      grid.near(as_vec3(&grains.x[3 * i]), wide[i], i + 1, [&](int j) { pairs.add(i, j); });
     pairs.end();
   }
 

@@ -2,9 +2,7 @@
 // Time of a step of an encased test on up to 1 024 ranks, projected from measured parts. In the
 // tree's folder:
 //
-//   g++ -std=c++17 -O2 -Isrc_plugin -Itests tests/bench/projection.cpp -o projection   (no build
-//   needed)
-//   ./projection tests/bench/projection.csv > projection_table.csv
+//   build/bin/bench_projection tests/bench/projection.csv > projection_table.csv
 #include "bench/step_model.h"
 
 #include <cstdio>
