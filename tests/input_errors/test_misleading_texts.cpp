@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 using namespace encased_column::testing;
 
 namespace {
@@ -65,3 +67,21 @@ TEST_P(Misleading, TextsAreNot)
 
 INSTANTIATE_TEST_SUITE_P(Misuses, Misleading, ::testing::ValuesIn(misuses),
                          [](const auto& misuse) { return misuse.param.name; });
+
+// The host ends some of its errors with a joke, one in five by the second of the clock, that it has
+// freed before. Here every number it draws is zero, with which all have one.
+TEST(Misleading, JokeOfTheHostIsLeftOut)
+{
+  setenv("LD_PRELOAD", ENCASE_DRAWS_ZERO, 1);
+  for (const std::string line :
+       {"fix move all motion dampnig 0.7", "fix euler all ave/euler nevery",
+        "compute near all coord/atom", "compute joke all ke/multisphere 1 2", "fix nobody"}) {
+    const Outcome outcome = run_deck(opening_deck("two_grains") + "unfix move\n" + line + '\n');
+    EXPECT_EQ(outcome.exit_code, 1) << line;
+    const std::size_t sentence = outcome.output.find("ERROR: ");
+    ASSERT_NE(sentence, std::string::npos) << line << '\n' << outcome.output;
+    EXPECT_EQ(outcome.output.find('\n', sentence), outcome.output.size() - 1) << line << '\n'
+                                                                              << outcome.output;
+  }
+  unsetenv("LD_PRELOAD");
+}
