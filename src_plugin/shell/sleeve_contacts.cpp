@@ -79,7 +79,7 @@ SleeveContacts::Near SleeveContacts::find_facets(const ShellModel& model, const 
   for (int p = 0; p < touches_.count(); ++p)
     if (touches_.gap(p) < reach - radius) facet_.push_back(touches_.facet(p));
   const int end = static_cast<int>(facet_.size());
-  return {begin, end, not_known, 0.0, radius, model.travel()};
+  return {begin, end, not_known, 0.0, radius, model.travel(), center};
 }
 
 /// Nothing is known of its gaps: it is looked at as soon as contacts are asked for.
@@ -112,22 +112,22 @@ bool SleeveContacts::is_stale(const ShellModel& model) const
 void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center, double radius)
 {
   Near& near = near_[n];
-  Hold& hold = hold_[n];
-  const double moved = (center - hold.center).norm();
-  const double closed = (model.travel() - near.travel) + (radius - near.radius) + moved;
+  const double travel = model.travel(), moved = (center - near.center).norm();
+  const double closed = (travel - near.travel) + (radius - near.radius) + moved;
+  hold_[n] = {center, travel + radius};  // and the gap, once it is found
   Look& look = look_[looks_++];
-  const bool all = near.close == not_known || closed > look_again * margin_;
-  look = {n, touches_.count(), 0, closed, moved, all};
-  const auto add = [&](int f) {
-    touches_.add(f, model.facet()[f], model.position(), center, radius);
+  look = {n, touches_.count(), 0, closed, moved, false};
+  const auto add = [&](int f, const Facet& node) {
+    touches_.add(f, node, model.position(), center, radius);
   };
-  if (look.all) {
-    hold.center = center, near.radius = radius, near.travel = model.travel();
+  if (near.close == not_known || closed > look_again * margin_) {
     look.closed = look.moved = 0.0;
-    for (int m = near.begin; m < near.end; ++m) add(facet_[m]);
+    look.all = true;
+    near.center = center, near.radius = radius, near.travel = travel;
+    for (int m = near.begin; m < near.end; ++m) add(facet_[m], model.facet()[facet_[m]]);
   } else {
     for (int m = near.begin; m < near.begin + near.close; ++m)
-      if (!(close_[m].gap > closed)) add(close_[m].facet);
+      if (!(close_[m].gap > closed)) add(close_[m].facet, close_[m].node);
   }
   look.last = touches_.count();
 }
@@ -135,26 +135,30 @@ void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center,
 void SleeveContacts::take_gaps(const Look& look)
 {
   Near& near = near_[look.n];
+  double clear = std::numeric_limits<double>::infinity();  // now
   int p = look.first;
   if (look.all) {
     near.close = 0;
-    near.clear_rest = std::numeric_limits<double>::infinity();
+    near.clear_rest = clear;
     for (; p < look.last; ++p) {
       const double gap = touches_.gap(p);
-      if (gap > look_again * margin_) {
+      clear = std::min(clear, gap);
+      if (gap > look_again * margin_)
         near.clear_rest = std::min(near.clear_rest, gap);
-        continue;
-      }
-      close_[near.begin + near.close++] = {gap, touches_.facet(p)};
+      else
+        close_[near.begin + near.close++] = {gap, touches_.facet(p), touches_.node(p)};
+    }
+  } else {
+    clear = near.clear_rest - look.closed;
+    for (int m = near.begin; m < near.begin + near.close; ++m) {
+      double& gap = close_[m].gap;
+      const bool is_seen = !(gap > look.closed);
+      const double now = is_seen ? touches_.gap(p++) : gap - look.closed;
+      if (is_seen) gap = now + look.closed - 2.0 * look.moved;
+      clear = std::min(clear, now);
     }
   }
-  double clear = near.clear_rest;
-  for (int m = near.begin; m < near.begin + near.close; ++m) {
-    double& gap = close_[m].gap;
-    if (!look.all && !(gap > look.closed)) gap = touches_.gap(p++) + look.closed - 2.0 * look.moved;
-    clear = std::min(clear, gap);
-  }
-  hold_[look.n].until = clear + near.travel + near.radius;
+  hold_[look.n].until += clear;
 }
 
 std::optional<GrainBehind> SleeveContacts::find_contacts()

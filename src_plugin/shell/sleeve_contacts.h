@@ -105,9 +105,10 @@ class SleeveContacts {
     int close;              ///< so many of them can be reached before all are looked at again
     double clear_rest;      ///< smallest gap of those that are not close [m]
     double radius, travel;  ///< its own [m]; of the sleeve, ShellModel::travel()
+    Vec3 center;
   };
-  /// Where it was, and its smallest gap with its radius and the travel of the sleeve [m]: while
-  /// these have not grown by the gap less its way, it cannot touch.
+  /// Where it was when it was looked at last, and its smallest gap with its radius and the travel
+  /// of the sleeve [m]: while these have not grown by the gap less its way, it cannot touch.
   struct Hold {
     Vec3 center;
     double until;
@@ -115,12 +116,13 @@ class SleeveContacts {
   struct Close {
     double gap;  ///< between the facet and the grain [m]
     int facet;
+    Facet node;  ///< of the facet: beside it, so as not to wait for it
   };
   /// A grain that is looked at and its pairs.
   struct Look {
     int n, first, last;
-    double closed;  ///< by how much its gaps may have closed [m]
-    double moved;   ///< by the grain [m]
+    double closed;  ///< by how much its gaps may have closed since all were looked at [m]
+    double moved;   ///< by the grain since then [m]
     bool all;       ///< of its facets are looked at
   };
   /// Picks the grains to look at, without a branch: which ones cannot be guessed, and a wrong guess
