@@ -3,6 +3,7 @@
 
 #include "core/vector_units.h"
 #include "shell/cloth_facets.h"
+#include "shell/pressure_load.h"
 #include "shell/surface_mesh.h"
 
 #include <vector>
@@ -17,6 +18,7 @@ class ShellMaterial;
 class FacetBatches {
  public:
   static constexpr int size = facets_in_batch;
+  static_assert(size == pressed_at_once);
 
   FacetBatches() = default;
   FacetBatches(const std::vector<Facet>& facet, const std::vector<ShellElement>& element,
@@ -24,9 +26,10 @@ class FacetBatches {
 
   /// Adds the loads of facets [first, last) to the forces [N] and moments [N m] of the nodes, in
   /// the order of the facets; returns their energy [J]. Of a cloth see ClothFacets for what is
-  /// advanced before, unless `at_set_up`.
+  /// advanced before, unless `at_set_up`. With `pressed` its nodes take their pressure, too: the
+  /// corners of the facets are at hand.
   double add_loads(int first, int last, bool at_set_up, const Vec3* position, const Mat3* rotation,
-                   Vec3* force, Vec3* moment);
+                   Vec3* force, Vec3* moment, const PressedNodes* pressed = nullptr);
 
   ClothFacets& cloth() { return cloth_; }
   const ClothFacets& cloth() const { return cloth_; }
