@@ -42,8 +42,7 @@ FacetBatches::FacetBatches(const std::vector<Facet>& facet,
 }
 
 double FacetBatches::add_loads(int first, int last, bool at_set_up, const Vec3* position,
-                               const Mat3* rotation, Vec3* force, Vec3* moment,
-                               const PressedNodes* pressed)
+                               const Mat3* rotation, Vec3* force, Vec3* moment)
 {
   cloth_.advance(first, last, at_set_up);
   double energy = 0.0;
@@ -72,7 +71,6 @@ double FacetBatches::add_loads(int first, int last, bool at_set_up, const Vec3* 
         force[node] += force_[i].at(n);
         moment[node] += moment_[i].at(n);
       }
-    if (pressed) press_row(position_, batch.node, begin, end, *pressed);
     f += end - begin;
   }
   return energy;

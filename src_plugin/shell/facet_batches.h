@@ -3,7 +3,6 @@
 
 #include "core/vector_units.h"
 #include "shell/cloth_facets.h"
-#include "shell/pressure_load.h"
 #include "shell/surface_mesh.h"
 
 #include <vector>
@@ -18,7 +17,6 @@ class ShellMaterial;
 class FacetBatches {
  public:
   static constexpr int size = facets_in_batch;
-  static_assert(size == pressed_at_once);
 
   FacetBatches() = default;
   FacetBatches(const std::vector<Facet>& facet, const std::vector<ShellElement>& element,
@@ -26,10 +24,9 @@ class FacetBatches {
 
   /// Adds the loads of facets [first, last) to the forces [N] and moments [N m] of the nodes, in
   /// the order of the facets; returns their energy [J]. Of a cloth see ClothFacets for what is
-  /// advanced before, unless `at_set_up`. With `pressed` its nodes take their pressure, too: the
-  /// corners of the facets are at hand.
+  /// advanced before, unless `at_set_up`.
   double add_loads(int first, int last, bool at_set_up, const Vec3* position, const Mat3* rotation,
-                   Vec3* force, Vec3* moment, const PressedNodes* pressed = nullptr);
+                   Vec3* force, Vec3* moment);
 
   ClothFacets& cloth() { return cloth_; }
   const ClothFacets& cloth() const { return cloth_; }

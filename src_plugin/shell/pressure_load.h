@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/linear_ramp.h"
-#include "core/vector_units.h"
 #include "shell/height_window.h"
 #include "shell/surface_mesh.h"
 
@@ -15,22 +14,6 @@ inline Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   return 0.5 * (b - a).cross(c - a);
 }
-
-constexpr int pressed_at_once = 32;  ///< facets
-using PressedRow = VectorRow<pressed_at_once>;
-
-/// A pressure [Pa] along the normals of the facets, where they lie in the window, and the nodal
-/// forces [N] that take it; negative pressure pushes against the normals.
-struct PressedNodes {
-  double pressure;
-  HeightWindow window;
-  Vec3* force;
-};
-
-/// Adds the forces of facets [first, last) of those side by side, whose corners are at `corner`
-/// [m], to their nodes, in the order of the facets.
-void press_row(const PressedRow (&corner)[3], const Facet* facet, int first, int last,
-               const PressedNodes& pressed);
 
 /// Adds the force of a pressure [Pa] that pushes facets [first, last) along their current normals,
 /// where they lie in the window, to the nodal forces [N]. Negative pressure pushes against the

@@ -67,10 +67,22 @@ void ShellModel::set_state(const std::vector<Vec3>& position,
   for (int i = 0; i < nodes(); ++i) rotation_matrix_[i] = rotation_[i].toRotationMatrix();
 }
 
+void ShellModel::set_masses(const std::vector<double>& mass, const std::vector<double>& inertia)
+{
+  mass_ = mass;
+  inertia_ = inertia;
+}
+
 void ShellModel::clear_loads()
 {
   std::fill(load_.begin(), load_.end(), Vec3::Zero());
   std::fill(external_.begin(), external_.end(), Vec3::Zero());
+}
+
+void ShellModel::load_external()
+{
+  std::copy(external_.begin(), external_.end(), load_.begin());
+  std::fill(load_.begin() + nodes(), load_.end(), Vec3::Zero());
 }
 
 FacetVectors ShellModel::corners(int facet) const
@@ -90,22 +102,11 @@ FacetState ShellModel::facet_state(int facet) const
   return element_[facet].state(material_, corners(facet), corner_rotations(facet), memory(facet));
 }
 
-double ShellModel::load_pressed(int first, int last, bool at_set_up, double pressure,
-                                const HeightWindow& window)
-{
-  clear_loads();
-  const PressedNodes pressed{pressure, window, external_.data()};
-  const double energy = add_loads(first, last, at_set_up, pressure != 0.0 ? &pressed : nullptr);
-  if (pressure != 0.0)
-    for (int i = 0; i < nodes(); ++i) load_[i] += external_[i];
-  return energy;
-}
-
-double ShellModel::add_loads(int first, int last, bool at_set_up, const PressedNodes* pressed)
+double ShellModel::add_internal_loads(int first, int last, bool at_set_up)
 {
   if (material_.bends() || material_.is_cloth())
     return batches_.add_loads(first, last, at_set_up, position_.data(), rotation_matrix_.data(),
-                              load_.data(), load_.data() + nodes(), pressed);
+                              load_.data(), load_.data() + nodes());
   double energy = 0.0;
   for (int f = first; f < last; ++f) {
     const FacetLoads loads = element_[f].loads(material_, corners(f), corner_rotations(f));
@@ -115,8 +116,6 @@ double ShellModel::add_loads(int first, int last, bool at_set_up, const PressedN
     }
     energy += loads.energy;
   }
-  if (pressed)
-    add_pressure(facet_, position_, first, last, pressed->pressure, pressed->window, external_);
   return energy;
 }
 

@@ -20,10 +20,10 @@ struct StepWork {
 
 /// A sleeve: nodes, facets, and the explicit integrator that moves them.
 ///
-/// One step is: clear_loads() and add_internal_loads() over a range of facets, or load_pressed(),
-/// which does both; contacts onto load(); where ranks share the facets, one sum of load() over
-/// them; advance(). Every node is known everywhere, so advance() gives the same on every rank. No
-/// step allocates memory.
+/// One step is: clear_loads() or load_external(); add_internal_loads() over a range of facets and
+/// contacts onto load(); where ranks share the facets, one sum of load() over them; advance().
+/// Every node is known everywhere, so advance() gives the same on every rank. No step allocates
+/// memory.
 class ShellModel {
  public:
   /// `axis` is the axial direction of the material. Throws InputError for a facet without area.
@@ -56,7 +56,7 @@ class ShellModel {
   const Vec3& moment(int node) const { return load_[nodes() + node]; }
 
   /// Part of the loads [N], one vector a node, of which advance() tells the work; load() has it
-  /// from load_pressed() or from the caller. Where ranks share the facets, each holds its part and
+  /// from load_external() or from the caller. Where ranks share the facets, each holds its part and
   /// gets its part of the work.
   std::vector<Vec3>& external() { return external_; }
 
@@ -66,23 +66,14 @@ class ShellModel {
   /// Places the sleeve, for a start that is not the reference and for a restart.
   void set_state(const std::vector<Vec3>& position, const std::vector<Quaternion>& rotation,
                  const std::vector<Vec3>& velocity, const std::vector<Vec3>& angular_velocity);
-  void set_masses(const std::vector<double>& mass, const std::vector<double>& inertia)
-  {
-    mass_ = mass;
-    inertia_ = inertia;
-  }
+  void set_masses(const std::vector<double>& mass, const std::vector<double>& inertia);
 
   void clear_loads();
+  /// Puts external() in place of all loads: less to write than to clear them and to add it.
+  void load_external();
   /// Adds the internal forces and moments of facets [first, last); returns their energy [J]. Before
   /// that a cloth yields and tears by the loads of the call before, unless `at_set_up`.
-  double add_internal_loads(int first, int last, bool at_set_up = false)
-  {
-    return add_loads(first, last, at_set_up, nullptr);
-  }
-  /// Puts the loads of facets [first, last) and of a pressure [Pa] on what of them lies in the
-  /// window in place of all loads, and the pressure's in external(); returns as above.
-  double load_pressed(int first, int last, bool at_set_up, double pressure,
-                      const HeightWindow& window);
+  double add_internal_loads(int first, int last, bool at_set_up = false);
   /// What its facets remember and have taken out; empty unless the sleeve is a cloth.
   ClothFacets& cloth() { return batches_.cloth(); }
   const ClothFacets& cloth() const { return batches_.cloth(); }
@@ -125,7 +116,6 @@ class ShellModel {
  private:
   double damping_work(int i, double dt, double alpha, const Mat3& free,
                       const Mat3& free_rotation) const;
-  double add_loads(int first, int last, bool at_set_up, const PressedNodes* pressed);
   double support_work(const Support& support, double dt) const;
 
   ShellMaterial material_;

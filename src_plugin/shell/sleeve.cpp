@@ -111,9 +111,13 @@ void Sleeve::start_loads(const SleeveStep& step, const HeightWindow& window, boo
 {
   vertical_force_ = 0.0;
   masses_.start(step, at_set_up, control_.rigid, model_.nodes());
-  if (control_.rigid) return model_.clear_loads();
-  energy_ = model_.load_pressed(first_, last_, at_set_up, -pressure_.at(step.number),
-                                control_.pressed_everywhere ? HeightWindow() : window);
+  std::vector<Vec3>& external = model_.external();
+  std::fill(external.begin(), external.end(), Vec3::Zero());
+  if (const double pressure = pressure_.at(step.number); pressure != 0.0 && !control_.rigid)
+    add_pressure(model_.facet(), model_.position(), first_, last_, -pressure,
+                 control_.pressed_everywhere ? HeightWindow() : window, external);
+  model_.load_external();
+  if (!control_.rigid) energy_ = model_.add_internal_loads(first_, last_, at_set_up);
 }
 
 void Sleeve::find_reactions()

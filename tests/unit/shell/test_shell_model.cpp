@@ -104,58 +104,6 @@ TEST(ShellModel, FacetsSideBySideLoadTheNodesAsOneByOne)
     EXPECT_LT((model.load()[i] - expected[i]).norm(), 1e-13 * largest);
 }
 
-// A pressure does p dV of work; volumes of tetrahedra to the origin, and facets one by one.
-TEST(ShellModel, PressureBesideTheFacetsIsTheGradientOfPressureTimesVolume)
-{
-  for (const double bending : {0.002, 0.0}) {  // in batches, and without
-    ShellConstants constants = geotextile();
-    constants.bending_thickness = bending;
-    ShellModel model(small_tube(), constants, Vec3::UnitZ());
-    RandomVectors random(5);
-    std::vector<Vec3> x = model.position();
-    for (Vec3& p : x) p += 0.002 * random();
-    model.set_state(x, model.rotation(), model.velocity(), model.angular_velocity());
-    const auto volume = [&] {
-      double six = 0.0;
-      for (const Facet& f : model.facet()) six += x[f[0]].dot(x[f[1]].cross(x[f[2]]));
-      return six / 6.0;
-    };
-    const double pressure = 5e4, step = 1e-6;
-    model.clear_loads();
-    const double energy = model.add_internal_loads(0, model.facets());
-    const std::vector<Vec3> internal = model.load();
-    EXPECT_EQ(model.load_pressed(0, model.facets(), false, pressure, {}), energy);
-    for (int i = 0; i < model.nodes(); ++i) {
-      if (x[i].z() < 0.005 || x[i].z() > 0.055) continue;  // the ends are open
-      for (int a = 0; a < 3; ++a) {
-        const double start = x[i](a);
-        x[i](a) = start + step;
-        const double up = volume();
-        x[i](a) = start - step;
-        const double slope = (up - volume()) / (2.0 * step);
-        x[i](a) = start;
-        EXPECT_NEAR(model.external()[i](a), pressure * slope, 1e-7 * pressure * 0.02 * 0.02);
-      }
-      EXPECT_EQ(model.force(i), internal[i] + model.external()[i]);
-      EXPECT_EQ(model.moment(i), internal[model.nodes() + i]);
-    }
-  }
-}
-
-TEST(ShellModel, PressuresInAdjoiningWindowsOnTwoRangesOfFacetsAddUpToTheWhole)
-{
-  ShellModel model = shaken_tube(0.1, 0.0);
-  std::vector<Vec3> sum(model.nodes(), Vec3::Zero());
-  for (const HeightWindow& window : {HeightWindow{-1.0, 0.033}, HeightWindow{0.033, 1.0}})
-    for (const auto& [first, last] : {std::pair{0, 17}, std::pair{17, model.facets()}}) {
-      model.load_pressed(first, last, true, 1e4, window);
-      for (int i = 0; i < model.nodes(); ++i) sum[i] += model.external()[i];
-    }
-  model.load_pressed(0, model.facets(), true, 1e4, {});
-  for (int i = 0; i < model.nodes(); ++i)
-    EXPECT_LT((sum[i] - model.external()[i]).norm(), 1e-13 * 1e4 * 0.02 * 0.02);
-}
-
 TEST(ShellModel, RigidTurnOfTheWholeTubeLoadsNoNode)
 {
   ShellModel model(small_tube(), geotextile(), Vec3::UnitZ());
