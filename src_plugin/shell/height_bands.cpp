@@ -11,7 +11,10 @@ using Vec2 = Eigen::Vector2d;
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Vec2& a, const Vec2& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 /// Square of the distance [m^2] from the origin to the straight line from `a` to `b`.
 double square_to_line(const Vec2& a, const Vec2& b)

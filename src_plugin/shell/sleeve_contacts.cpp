@@ -11,8 +11,8 @@ namespace encased_column {
 
 namespace {
 
-/// Part of the margin within which facets are close: grain and sleeve may move by as much before all
-/// near by are looked at again.
+/// Part of the margin within which facets are close: grain and sleeve may move by as much before
+/// all near by are looked at again.
 constexpr double look_again = 0.1;
 
 }  // namespace
@@ -80,8 +80,7 @@ SleeveContacts::Near SleeveContacts::find_facets(const ShellModel& model, const 
   for (int p = 0; p < touches_.count(); ++p)
     if (touches_.gap(p) < reach - radius) facet_.push_back(touches_.facet(p));
   const int end = static_cast<int>(facet_.size());
-  return {begin, end, not_known, -std::numeric_limits<double>::infinity(),
-          radius + model.travel()};
+  return {begin, end, not_known, -std::numeric_limits<double>::infinity(), radius + model.travel()};
 }
 
 /// Nothing is known of its gaps: it is looked at as soon as contacts are asked for.
