@@ -33,7 +33,7 @@ FacetBatches::FacetBatches(const std::vector<Facet>& facet,
     const std::size_t n = f % size;
     const FacetReference& reference = element[f].reference();
     batch.node[n] = facet[f];
-    batch.normal[n] = element[f].normal();
+    batch.normal.set(n, element[f].normal());
     batch.area[n] = reference.area;
     for (int k = 0; k < 4; ++k) batch.gradient[k][n] = reference.gradient(k / 2, 1 + k % 2);
     for (int i = 0; i < 6; ++i)
@@ -42,7 +42,7 @@ FacetBatches::FacetBatches(const std::vector<Facet>& facet,
 }
 
 double FacetBatches::add_loads(int first, int last, bool at_set_up, const Vec3* position,
-                               const Mat3* rotation, Vec3* force, Vec3* moment)
+                               const double* rotation, Vec3* force, Vec3* moment)
 {
   cloth_.advance(first, last, at_set_up);
   double energy = 0.0;
@@ -60,7 +60,8 @@ double FacetBatches::add_loads(int first, int last, bool at_set_up, const Vec3* 
       for (int i = 0; i < 3; ++i) {
         const int node = batch.node[n][i];
         position_[i].set(n, position[node]);
-        director_[i].set(n, rotation[node] * batch.normal[n]);
+        rotation_[i].vector.set(n, as_vec3(rotation + 4 * node));
+        rotation_[i].scalar[n] = rotation[4 * node + 3];
       }
     }
     energy += is_cloth_ ? resolve_cloth(batch, f / size, begin, end, at_set_up)

@@ -5,6 +5,7 @@
 #include "shell/cloth_facets.h"
 #include "shell/surface_mesh.h"
 
+#include <array>
 #include <vector>
 
 namespace encased_column {
@@ -23,10 +24,10 @@ class FacetBatches {
                const ShellMaterial& material);
 
   /// Adds the loads of facets [first, last) to the forces [N] and moments [N m] of the nodes, in
-  /// the order of the facets; returns their energy [J]. Of a cloth see ClothFacets for what is
-  /// advanced before, unless `at_set_up`.
-  double add_loads(int first, int last, bool at_set_up, const Vec3* position, const Mat3* rotation,
-                   Vec3* force, Vec3* moment);
+  /// the order of the facets; returns their energy [J]. Rotations are unit quaternions (x, y, z,
+  /// w). Of a cloth see ClothFacets for what is advanced before, unless `at_set_up`.
+  double add_loads(int first, int last, bool at_set_up, const Vec3* position,
+                   const double* rotation, Vec3* force, Vec3* moment);
 
   ClothFacets& cloth() { return cloth_; }
   const ClothFacets& cloth() const { return cloth_; }
@@ -45,11 +46,17 @@ class FacetBatches {
   }
   struct alignas(64) Batch {
     Facet node[size];
-    Vec3 normal[size];
+    VectorRow<size> normal;
     Numbers area, gradient[4], bending[symmetric];
   };
   struct InBatch;
+  /// Quaternions of nodes.
+  struct RotationRow {
+    VectorRow<size> vector;
+    Numbers scalar;
+  };
 
+  std::array<Vec3, 3> directors(const Batch& batch, int n) const;
   double resolve(const Batch& batch, int first, int last);
   double resolve_one(const Batch& batch, int n);
   double resolve_cloth(const Batch& batch, int number, int first, int last, bool at_set_up);
@@ -68,7 +75,8 @@ class FacetBatches {
   ClothFacets cloth_;
   bool must_ask_ = false;  ///< some facet of the batch at hand, see ClothFacets
   /// Of the nodes of the batch at hand: in, then out.
-  alignas(64) VectorRow<size> position_[3], director_[3], force_[3], moment_[3];
+  alignas(64) VectorRow<size> position_[3], force_[3], moment_[3];
+  alignas(64) RotationRow rotation_[3];
   // Of its facets:
   alignas(64) Numbers excess_[2];     ///< where none was before, as in ClothRows
   alignas(64) ClothAnswers answers_;  ///< where they remember all

@@ -22,6 +22,18 @@ struct FacetBatches::InBatch {
   double bending(int i, int j) const { return batch.bending[place(i, j)][n]; }
 };
 
+/// The normal as each node has turned it: v + 2 w (q x v) + 2 q x (q x v) for the quaternion (q,
+/// w).
+FacetVectors FacetBatches::directors(const Batch& batch, int n) const
+{
+  const Vec3 normal = batch.normal.at(n);
+  const auto turned = [&](const RotationRow& rotation) -> Vec3 {
+    const Vec3 q = rotation.vector.at(n), twice = 2.0 * q.cross(normal);
+    return normal + rotation.scalar[n] * twice + q.cross(twice);
+  };
+  return {turned(rotation_[0]), turned(rotation_[1]), turned(rotation_[2])};
+}
+
 // A function of its own: what is declared in the loop itself would stay in memory.
 double FacetBatches::resolve_one(const Batch& batch, int n)
 {
@@ -30,7 +42,7 @@ double FacetBatches::resolve_one(const Batch& batch, int n)
                         strain(2) * membrane_.col(2)};
   };
   const FacetVectors x{position_[0].at(n), position_[1].at(n), position_[2].at(n)};
-  const FacetVectors d{director_[0].at(n), director_[1].at(n), director_[2].at(n)};
+  const FacetVectors d = directors(batch, n);
   const FacetLoads loads = facet_loads<true>(InBatch{batch, n}, x, d, membrane);
   for (int i = 0; i < 3; ++i) {
     force_[i].set(n, loads.force[i]);
@@ -78,7 +90,7 @@ double FacetBatches::resolve_one_cloth(const Batch& batch, ClothRows& rows,
     return {{hoop, axial, shear}, {force_hoop, force_axial, force_shear}};
   };
   const FacetVectors x{position_[0].at(n), position_[1].at(n), position_[2].at(n)};
-  const FacetVectors d{director_[0].at(n), director_[1].at(n), director_[2].at(n)};
+  const FacetVectors d = directors(batch, n);
   const FacetLoads loads = facet_loads<bends>(InBatch{batch, n, left}, x, d, membrane);
   if constexpr (all) answers_.energy[n] = loads.energy;
   for (int i = 0; i < 3; ++i) {

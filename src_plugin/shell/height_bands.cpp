@@ -7,6 +7,34 @@
 
 namespace encased_column {
 
+using Vec2 = Eigen::Vector2d;
+
+namespace {
+
+double cross(const Vec2& a, const Vec2& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Square of the distance [m^2] from the origin to the straight line from `a` to `b`.
+double square_to_line(const Vec2& a, const Vec2& b)
+{
+  const Vec2 way = b - a;
+  const double length_square = way.squaredNorm();
+  const double part = length_square > 0.0 ? std::clamp(-a.dot(way) / length_square, 0.0, 1.0) : 0.0;
+  return (a + part * way).squaredNorm();
+}
+
+/// The same to a triangle, zero inside it.
+double square_to_triangle(const Vec2& a, const Vec2& b, const Vec2& c)
+{
+  const double ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
+  if ((ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0)) return 0.0;
+  return std::min({square_to_line(a, b), square_to_line(b, c), square_to_line(c, a)});
+}
+
+}  // namespace
+
 HeightBands::HeightBands(const std::vector<Facet>& facet, const std::vector<Vec3>& position)
 {
   const auto heights = [&](const Facet& f) {
@@ -42,27 +70,24 @@ double HeightBands::square_distance(const Band& band, const Vec3& point)
   return x * x + y * y;
 }
 
-// A facet lies in a circle about its center of gravity.
 void HeightBands::free_middle(Band& band, const std::vector<Facet>& facet,
                               const std::vector<Vec3>& position)
 {
   if (band.facets.empty()) return;
-  const auto center = [&](int n) -> Vec3 {
-    const Facet& f = facet[n];
-    return (position[f[0]] + position[f[1]] + position[f[2]]) / 3.0;
-  };
-  Vec3 middle = Vec3::Zero();
-  for (const int n : band.facets) middle += center(n) / static_cast<double>(band.facets.size());
+  Vec2 middle = Vec2::Zero();
+  for (const int n : band.facets)
+    for (const int node : facet[n])
+      middle += position[node].head<2>() / (3.0 * static_cast<double>(band.facets.size()));
   band.x = middle.x();
   band.y = middle.y();
-  double free = std::numeric_limits<double>::infinity();
+  double square = std::numeric_limits<double>::infinity();
   for (const int n : band.facets) {
-    double size = 0.0;
-    for (const int node : facet[n])
-      size = std::max(size, (position[node] - center(n)).head<2>().norm());
-    free = std::min(free, std::sqrt(square_distance(band, center(n))) - size);
+    const Facet& f = facet[n];
+    square = std::min(square, square_to_triangle(position[f[0]].head<2>() - middle,
+                                                 position[f[1]].head<2>() - middle,
+                                                 position[f[2]].head<2>() - middle));
   }
-  band.free = std::max(free, 0.0);
+  band.free = std::sqrt(square);
 }
 
 bool HeightBands::is_clear(const Vec3& point, double reach) const

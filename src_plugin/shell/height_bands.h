@@ -35,7 +35,7 @@ class HeightBands {
   struct Band {
     std::vector<int> facets;
     double x = 0.0, y = 0.0;  ///< [m]
-    double free = 0.0;        ///< radius about (x, y) free of facets [m]
+    double free = 0.0;        ///< radius about (x, y) that no facet reaches into [m]
   };
 
   static double square_distance(const Band& band, const Vec3& point);

@@ -18,7 +18,6 @@ constexpr int widest = 8;  ///< numbers that the widest vector unit takes at onc
 struct alignas(64) TurningNodes {
   VectorRow<size> turn;  ///< of the step [rad]
   double x[size], y[size], z[size], w[size];
-  double matrix[9][size];  ///< by columns
 };
 
 ENCASE_VECTOR_UNITS double kick_numbers(const double* __restrict load,
@@ -35,7 +34,7 @@ ENCASE_VECTOR_UNITS double kick_numbers(const double* __restrict load,
   return work;
 }
 
-/// turned() of all, each by a small angle, with its matrix.
+/// turned() of all, each by a small angle.
 ENCASE_VECTOR_UNITS [[gnu::flatten]] void turn(TurningNodes& nodes, int count)
 {
 #pragma omp simd
@@ -48,21 +47,10 @@ ENCASE_VECTOR_UNITS [[gnu::flatten]] void turn(TurningNodes& nodes, int count)
     const double qw = c * w - a * x - b * y - d * z, qx = c * x + a * w + b * z - d * y,
                  qy = c * y + b * w + d * x - a * z, qz = c * z + d * w + a * y - b * x;
     const double scale = 1.0 / std::sqrt(qw * qw + qx * qx + qy * qy + qz * qz);
-    const double nw = scale * qw, nx = scale * qx, ny = scale * qy, nz = scale * qz;
-    nodes.w[n] = nw;
-    nodes.x[n] = nx;
-    nodes.y[n] = ny;
-    nodes.z[n] = nz;
-    const double x2 = 2.0 * nx, y2 = 2.0 * ny, z2 = 2.0 * nz;
-    nodes.matrix[0][n] = 1.0 - (y2 * ny + z2 * nz);
-    nodes.matrix[1][n] = x2 * ny + z2 * nw;
-    nodes.matrix[2][n] = x2 * nz - y2 * nw;
-    nodes.matrix[3][n] = x2 * ny - z2 * nw;
-    nodes.matrix[4][n] = 1.0 - (x2 * nx + z2 * nz);
-    nodes.matrix[5][n] = y2 * nz + x2 * nw;
-    nodes.matrix[6][n] = x2 * nz + y2 * nw;
-    nodes.matrix[7][n] = y2 * nz - x2 * nw;
-    nodes.matrix[8][n] = 1.0 - (x2 * nx + y2 * ny);
+    nodes.w[n] = scale * qw;
+    nodes.x[n] = scale * qx;
+    nodes.y[n] = scale * qy;
+    nodes.z[n] = scale * qz;
   }
 }
 
@@ -81,7 +69,7 @@ double kick_nodes(const double* load, const double* inertia, int count, double a
   return 0.5 * dt * work;
 }
 
-bool turn_nodes(const double* spin, int count, double dt, double* quaternion, double* matrix)
+bool turn_nodes(const double* spin, int count, double dt, double* quaternion)
 {
   TurningNodes nodes{};  // some more than there are, so that no vector is left over
   double largest = 0.0;
@@ -97,7 +85,6 @@ bool turn_nodes(const double* spin, int count, double dt, double* quaternion, do
   for (int n = 0; n < count; ++n) {
     double* const q = quaternion + 4 * n;
     q[0] = nodes.x[n], q[1] = nodes.y[n], q[2] = nodes.z[n], q[3] = nodes.w[n];
-    for (int k = 0; k < 9; ++k) matrix[9 * n + k] = nodes.matrix[k][n];
   }
   return true;
 }

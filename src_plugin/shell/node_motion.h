@@ -13,8 +13,8 @@ double kick_nodes(const double* load, const double* inertia, int count, double a
 constexpr int nodes_in_batch = 32;
 
 /// Turns `count` nodes, at most a batch, on by a step `dt` [s], as turned() does: triples of spins
-/// [rad/s], quaternions (x, y, z, w), and their matrices by columns. Returns false, and turns none,
-/// where one would turn by more than half_of_small() is good for.
-bool turn_nodes(const double* spin, int count, double dt, double* quaternion, double* matrix);
+/// [rad/s], quaternions (x, y, z, w). Returns false, and turns none, where one would turn by more
+/// than half_of_small() is good for.
+bool turn_nodes(const double* spin, int count, double dt, double* quaternion);
 
 }  // namespace encased_column

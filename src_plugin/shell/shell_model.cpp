@@ -34,7 +34,6 @@ ShellModel::ShellModel(const SurfaceMesh& mesh, const ShellConstants& constants,
   load_.assign(2 * n, Vec3::Zero());
   external_ = velocity_before_ = spin_before_ = velocity_;
   rotation_.assign(n, Quaternion::Identity());
-  rotation_matrix_.assign(n, Mat3::Identity());
   mass_.assign(n, 0.0);
   inertia_.assign(n, 0.0);
   element_.reserve(facet_.size());
@@ -64,7 +63,6 @@ void ShellModel::set_state(const std::vector<Vec3>& position,
   rotation_ = rotation;
   velocity_ = velocity;
   angular_velocity_ = angular_velocity;
-  for (int i = 0; i < nodes(); ++i) rotation_matrix_[i] = rotation_[i].toRotationMatrix();
 }
 
 void ShellModel::set_masses(const std::vector<double>& mass, const std::vector<double>& inertia)
@@ -94,7 +92,8 @@ FacetVectors ShellModel::corners(int facet) const
 FacetRotations ShellModel::corner_rotations(int facet) const
 {
   const Facet& node = facet_[facet];
-  return {rotation_matrix_[node[0]], rotation_matrix_[node[1]], rotation_matrix_[node[2]]};
+  return {rotation_[node[0]].toRotationMatrix(), rotation_[node[1]].toRotationMatrix(),
+          rotation_[node[2]].toRotationMatrix()};
 }
 
 FacetState ShellModel::facet_state(int facet) const
@@ -105,8 +104,9 @@ FacetState ShellModel::facet_state(int facet) const
 double ShellModel::add_internal_loads(int first, int last, bool at_set_up)
 {
   if (material_.bends() || material_.is_cloth())
-    return batches_.add_loads(first, last, at_set_up, position_.data(), rotation_matrix_.data(),
-                              load_.data(), load_.data() + nodes());
+    return batches_.add_loads(first, last, at_set_up, position_.data(),
+                              rotation_.front().coeffs().data(), load_.data(),
+                              load_.data() + nodes());
   double energy = 0.0;
   for (int f = first; f < last; ++f) {
     const FacetLoads loads = element_[f].loads(material_, corners(f), corner_rotations(f));
@@ -149,12 +149,10 @@ StepWork ShellModel::advance(double dt, double alpha)
   for (int first = 0; first < nodes(); first += nodes_in_batch) {
     const int last = std::min(first + nodes_in_batch, nodes());
     if (turn_nodes(angular_velocity_[first].data(), last - first, dt,
-                   rotation_[first].coeffs().data(), rotation_matrix_[first].data()))
+                   rotation_[first].coeffs().data()))
       continue;
-    for (int i = first; i < last; ++i) {
+    for (int i = first; i < last; ++i)
       rotation_[i] = turned(rotation_[i], angular_velocity_[i], dt);
-      rotation_matrix_[i] = rotation_[i].toRotationMatrix();
-    }
   }
   travel_ += dt * std::sqrt(fastest);
   return work;

@@ -125,7 +125,6 @@ class ShellModel {
   std::vector<Vec3> reference_, position_, velocity_, angular_velocity_, load_, external_;
   std::vector<Vec3> velocity_before_, spin_before_;
   std::vector<Quaternion> rotation_;
-  std::vector<Mat3> rotation_matrix_;
   std::vector<double> true_mass_, true_inertia_, mass_, inertia_;
   std::vector<Support> support_;
   double travel_ = 0.0;

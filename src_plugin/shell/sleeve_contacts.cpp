@@ -11,7 +11,8 @@ namespace encased_column {
 
 namespace {
 
-/// Part of the margin by which grain and sleeve may move before all facets near by are looked at.
+/// Part of the margin within which facets are close: grain and sleeve may move by as much before
+/// all near by are looked at again.
 constexpr double look_again = 0.1;
 
 }  // namespace
@@ -79,7 +80,7 @@ SleeveContacts::Near SleeveContacts::find_facets(const ShellModel& model, const 
   for (int p = 0; p < touches_.count(); ++p)
     if (touches_.gap(p) < reach - radius) facet_.push_back(touches_.facet(p));
   const int end = static_cast<int>(facet_.size());
-  return {begin, end, not_known, 0.0, radius, model.travel()};
+  return {begin, end, not_known, -std::numeric_limits<double>::infinity(), radius + model.travel()};
 }
 
 /// Nothing is known of its gaps: it is looked at as soon as contacts are asked for.
@@ -106,29 +107,26 @@ bool SleeveContacts::is_stale(const ShellModel& model) const
   return false;
 }
 
-// Most facets near by stay out of reach for hundreds of steps. A gap d seen after the grain has
-// moved by m and the sleeve by s counts as one of d - m + s at the start: it closes no faster than
-// both move on, and the grain may first move back.
+// Most facets near by stay out of reach for hundreds of steps: their gaps close no faster than the
+// grain and the sleeve move and the grain grows.
 void SleeveContacts::look_at(const ShellModel& model, int n, const Vec3& center, double radius)
 {
   Near& near = near_[n];
-  Hold& hold = hold_[n];
-  const double moved = (center - hold.center).norm();
-  const double closed = (model.travel() - near.travel) + (radius - near.radius) + moved;
+  const double size_travel = radius + model.travel();
+  const double closed = size_travel - near.size_travel + (center - hold_[n].center).norm();
+  near.size_travel = size_travel;
+  hold_[n].center = center;
+  near.clear_rest -= closed;
   Look& look = look_[looks_++];
-  const bool all = near.close == not_known || closed > look_again * margin_;
-  look = {n, touches_.count(), 0, closed, moved, all};
-  const auto add = [&](int f) {
-    touches_.add(f, model.facet()[f], model.position(), center, radius);
+  look = {n, touches_.count(), 0, !(near.clear_rest > 0.0)};
+  const auto add = [&](int f, const Facet& node) {
+    touches_.add(f, node, model.position(), center, radius);
   };
-  if (look.all) {
-    hold.center = center, near.radius = radius, near.travel = model.travel();
-    look.closed = look.moved = 0.0;
-    for (int m = near.begin; m < near.end; ++m) add(facet_[m]);
-  } else {
+  if (look.all)
+    for (int m = near.begin; m < near.end; ++m) add(facet_[m], model.facet()[facet_[m]]);
+  else
     for (int m = near.begin; m < near.begin + near.close; ++m)
-      if (!(close_[m].gap > closed)) add(close_[m].facet);
-  }
+      if (!((close_[m].gap -= closed) > 0.0)) add(close_[m].facet, close_[m].node);
   look.last = touches_.count();
 }
 
@@ -139,22 +137,19 @@ void SleeveContacts::take_gaps(const Look& look)
   if (look.all) {
     near.close = 0;
     near.clear_rest = std::numeric_limits<double>::infinity();
-    for (; p < look.last; ++p) {
-      const double gap = touches_.gap(p);
-      if (gap > look_again * margin_) {
+    for (; p < look.last; ++p)
+      if (const double gap = touches_.gap(p); gap > look_again * margin_)
         near.clear_rest = std::min(near.clear_rest, gap);
-        continue;
-      }
-      close_[near.begin + near.close++] = {gap, touches_.facet(p)};
-    }
+      else
+        close_[near.begin + near.close++] = {gap, touches_.facet(p), touches_.node(p)};
   }
   double clear = near.clear_rest;
   for (int m = near.begin; m < near.begin + near.close; ++m) {
     double& gap = close_[m].gap;
-    if (!look.all && !(gap > look.closed)) gap = touches_.gap(p++) + look.closed - 2.0 * look.moved;
+    if (!look.all && !(gap > 0.0)) gap = touches_.gap(p++);
     clear = std::min(clear, gap);
   }
-  hold_[look.n].until = clear + near.travel + near.radius;
+  hold_[look.n].until = clear + near.size_travel;
 }
 
 std::optional<GrainBehind> SleeveContacts::find_contacts()

@@ -99,15 +99,16 @@ class SleeveContacts {
   static constexpr int not_known = -1;      ///< how many facets are close
   static constexpr int fetched_ahead = 24;  ///< grains that are looked at
 
-  /// A grain near the sleeve as it was when all its facets were looked at.
+  /// A grain near the sleeve. Gaps of facets that were not looked at with it are what is left of
+  /// them at least.
   struct Near {
-    int begin, end;         ///< its facets in the list
-    int close;              ///< so many of them can be reached before all are looked at again
-    double clear_rest;      ///< smallest gap of those that are not close [m]
-    double radius, travel;  ///< its own [m]; of the sleeve, ShellModel::travel()
+    int begin, end;      ///< its facets in the list
+    int close;           ///< so many of them can be reached before all are looked at again
+    double clear_rest;   ///< smallest gap of those that are not close [m]
+    double size_travel;  ///< its radius with ShellModel::travel(), when it was looked at last [m]
   };
-  /// Where it was, and its smallest gap with its radius and the travel of the sleeve [m]: while
-  /// these have not grown by the gap less its way, it cannot touch.
+  /// Where it was then, and its smallest gap with its radius and the travel of the sleeve [m]:
+  /// while these have not grown by the gap less its way, it cannot touch.
   struct Hold {
     Vec3 center;
     double until;
@@ -115,13 +116,12 @@ class SleeveContacts {
   struct Close {
     double gap;  ///< between the facet and the grain [m]
     int facet;
+    Facet node;  ///< of the facet: beside it, so as not to wait for it
   };
   /// A grain that is looked at and its pairs.
   struct Look {
     int n, first, last;
-    double closed;  ///< by how much its gaps may have closed [m]
-    double moved;   ///< by the grain [m]
-    bool all;       ///< of its facets are looked at
+    bool all;  ///< of its facets are looked at
   };
   /// Picks the grains to look at, without a branch: which ones cannot be guessed, and a wrong guess
   /// waits for memory.

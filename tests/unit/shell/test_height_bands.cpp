@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "shell/height_bands.h"
 
+#include "core/constants.h"
 #include "shell/cylinder_mesh.h"
 #include "shell/nearest_point.h"
 #include "shell_cases.h"
@@ -56,6 +57,31 @@ TEST(HeightBands, SayClearOnlyWhereNoFacetIsNear)
   }
   EXPECT_GT(clear, far / 2);
   EXPECT_GT(far, 100);
+}
+
+// Between two rings of a tube nothing is nearer to its axis than the middle of a chord.
+TEST(HeightBands, LeaveTheWholeInsideOfATubeFree)
+{
+  const TubeShape shape{0.05, 0.0, 0.2, 0.005};
+  const SurfaceMesh mesh = cylinder_mesh(shape);
+  const HeightBands bands(mesh.facet, mesh.node);
+  const double free = 0.05 * std::cos(pi / cylinder_counts(shape).around);
+  for (int band = 0; band < bands.size(); ++band)
+    for (const double angle : {0.0, 1.0, 2.5, 6.0}) {
+      const Vec3 out(std::cos(angle), std::sin(angle), 0.0);
+      EXPECT_TRUE(bands.is_in_free_middle(bands.middle(band) + 0.9999 * free * out, band));
+      EXPECT_FALSE(bands.is_in_free_middle(bands.middle(band) + 1.0001 * free * out, band));
+    }
+}
+
+// Flat on the level of the middle, as a lid.
+TEST(HeightBands, AreNotFreeUnderAFacetThatCoversTheMiddle)
+{
+  SurfaceMesh mesh;
+  mesh.node = {{-1.0, -1.0, 0.0}, {2.0, -1.0, 0.0}, {-1.0, 2.0, 0.1}};
+  mesh.facet = {{0, 1, 2}};
+  const HeightBands bands(mesh.facet, mesh.node);
+  EXPECT_FALSE(bands.is_in_free_middle(bands.middle(0) + Vec3(1e-6, 0.0, 0.0), 0));
 }
 
 TEST(HeightBands, HoldEveryFacetInEachBandItReaches)
