@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 
 using namespace encased_column;
@@ -19,8 +20,10 @@ namespace {
 /// The study's density, whatever the decks take by default.
 const std::vector<std::string> study_packing{"parameters=study"};
 
-CaseSize size_of_ours(const std::string& id, const std::string& resolution,
-                      std::vector<std::string> set = study_packing)
+/// What `look` finds in the plan of a case of ours.
+template <typename Look>
+auto in_ours(const std::string& id, const std::string& resolution, std::vector<std::string> set,
+             const Look& look)
 {
   Places places;
   places.inputs = fs::path(ENCASE_SOURCE) / "input_scripts";
@@ -29,8 +32,30 @@ CaseSize size_of_ours(const std::string& id, const std::string& resolution,
   options.resolution = resolution;
   options.set = std::move(set);
   DeckCatalogue decks(places.inputs);
-  return expected_size(chosen_cases(read_catalogue(places, options), decks, options).front())
-      .value();
+  return look(chosen_cases(read_catalogue(places, options), decks, options).front()).value();
+}
+
+CaseSize size_of_ours(const std::string& id, const std::string& resolution,
+                      const std::vector<std::string>& set = study_packing)
+{
+  return in_ours(id, resolution, set, expected_size);
+}
+
+/// Speed of one platen towards the other, and limit for grains that touch nothing [m per step].
+std::array<double, 2> speeds_of_ours(const std::string& id, const std::string& resolution,
+                                     const std::vector<std::string>& set)
+{
+  const auto number = [&](const char* name) {
+    return in_ours(id, resolution, set, [&](const CasePlan& plan) {
+      return DeckText(*plan.deck, plan.asked).number(name);
+    });
+  };
+  return {number("approach"), number("speed_limit")};
+}
+
+void expect_speeds(const std::array<double, 2>& found, const std::array<double, 2>& expected)
+{
+  for (int i = 0; i < 2; ++i) EXPECT_NEAR(found[i], expected[i], 1e-9 * expected[i]);
 }
 
 CaseShape shape_with_steps(double limit, double strain_end)
@@ -106,6 +131,22 @@ TEST(CaseSize, CountsTheSleeve)
   EXPECT_NEAR(plain.work / plain.grains / plain.steps(), 273.0 / 168.0, 0.03);
   EXPECT_NEAR(loose.work / loose.grains / loose.steps(), 124.0 / 168.0, 0.02);
   EXPECT_GT(fine.bytes, plain.bytes);
+}
+
+// Inertial numbers go with the rate over sqrt(sigma3): four times the stress, twice the speed. The
+// page of the variables has 9.0e-7 and 6.5e-7 m per step at 50 kPa.
+TEST(Decks, MoveAtOneInertialNumberWhereTheRateIsZero)
+{
+  const std::string laboratory = "parameters=laboratory";
+  for (const std::string id : {"plain_050", "encased_050", "column"}) {
+    expect_speeds(speeds_of_ours(id, "quick", {laboratory}), {9.0e-7, 1.8e-6});
+    expect_speeds(speeds_of_ours(id, "quick", {laboratory, "sigma3=200e3"}), {1.8e-6, 3.6e-6});
+    expect_speeds(speeds_of_ours(id, "paper", {laboratory, "moving=2"}), {6.5e-7, 1.3e-6});
+    expect_speeds(speeds_of_ours(id, "standard", {laboratory, "rate=1e-6", "sigma3=200e3"}),
+                  {1.0e-6, 2.0e-6});
+    expect_speeds(speeds_of_ours(id, "standard", {laboratory, "free_speed=4e-6"}),
+                  {6.5e-7, 4.0e-6});
+  }
 }
 
 TEST(CaseSize, IsUnknownWhereTheDeckPacksNothing)

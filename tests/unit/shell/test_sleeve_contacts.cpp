@@ -471,3 +471,63 @@ TEST(SleeveContacts, AddsFacetsOfGrainsWhoseReachGotWider)
   EXPECT_EQ(touching(contacts), expected);
   EXPECT_EQ(contacts.grains(), (std::vector<int>{0, 1, 2, 3}));
 }
+
+// Some grains come and go, and leave their reach again and again, while the sleeve shakes and is
+// listed anew at other times than they are. The oracle looks at all facets.
+TEST(SleeveContacts, MissNoGrainWhileReachesAreWidened)
+{
+  constexpr double skin = 0.002;
+  ShellModel model = crumpled_tube(0.002);
+  const std::vector<Vec3> still = model.position(), start = grains_inside(60);
+  std::vector<Vec3> center = start, velocity(start.size(), Vec3::Zero()), listed;
+  const std::vector<double> radii(start.size(), radius);
+  const int grains = static_cast<int>(start.size());
+  const ListedGrains all{center.front().data(), velocity.front().data(), radii.data(), grains,
+                         grains};
+  ReachAccount account;
+  const GrainReach reach(skin, &account);
+  SleeveContacts contacts;
+  RandomVectors random(31);
+  int of_host = 0, of_sleeve = 0, wider = 0, touching = 0;
+  for (int step = 0; step < 1000; ++step) {
+    for (int i = 0; i < grains; ++i) {
+      const double out = i % 10 == 0 ? 0.85 + 0.15 * std::sin(0.05 * step + i) : 1.0;
+      center[i] += 0.01 * skin * random() + 0.1 * (out * start[i] - center[i]);
+    }
+    std::vector<Vec3> x = model.position();
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] +=
+          0.03 * skin * random() + 0.05 * ((1.0 - 0.02 * std::sin(0.02 * step)) * still[i] - x[i]);
+    place(model, x);
+    account.forget_wider();
+    const ReachAccount::Answer answer =
+        step % 40 == 0 ? ReachAccount::Answer::lists_end : account.look(all, listed.front().data());
+    if (answer == ReachAccount::Answer::lists_end) {
+      account.start(all, ReachRule{0.5 * skin, 0.2});
+      listed = center;
+      contacts.list(model, center.front().data(), radii.data(), grains, reach);
+      ++of_host;
+    } else if (contacts.is_stale(model)) {
+      contacts.list(model, center.front().data(), radii.data(), grains, reach);
+      ++of_sleeve;
+    } else if (answer == ReachAccount::Answer::some_are_wider) {
+      contacts.add_wider(model, center.front().data(), radii.data(), grains, reach);
+      ++wider;
+    }
+    std::vector<double> overlap(grains, 0.0);
+    ASSERT_FALSE(contacts.resolve(model, true, SomeGrains{center.front().data(), radii}, nullptr,
+                                  [&](const SleeveContact& contact) {
+                                    overlap[contact.grain] = contact.merged.overlap;
+                                    return no_reaction(contact);
+                                  }));
+    for (int i = 0; i < grains; ++i) {
+      const bool touches = deepest_overlap(model, center[i]) > 0.0;
+      ASSERT_EQ(overlap[i] > 0.0, touches) << "grain " << i << " at step " << step;
+      touching += touches;
+    }
+  }
+  EXPECT_GT(touching, 10000);
+  EXPECT_GT(wider, 20);
+  EXPECT_GT(of_sleeve, 3);
+  EXPECT_GT(of_host, 3);
+}
